@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "incision/body/scene.h"
+#include "incision/surface/surface.h"
+
+namespace incision {
+
+enum class CutStatus : std::uint8_t { APPLIED = 0, MISSED = 1, REJECTED = 2 };
+
+/// What became of one cut.
+struct CutResult {
+  std::string label;
+  CutStatus status = CutStatus::MISSED;
+  std::string reason;  ///< why it was missed or rejected
+  int cracks = 0;      ///< cracks it made: 0 or 1
+  int parts_split = 0, copies_added = 0;
+  int pieces = 0;       ///< of the body now
+  double duration = 0;  ///< of the computation [s]
+};
+
+/// Sizes of the body; `dofs` = 3 × copies.
+struct BodyCounts {
+  int nodes = 0, elements = 0, crack_elements = 0, parts = 0, copies = 0, dofs = 0, cracks = 0, pieces = 0;
+};
+
+/// Sums over the body at the current state.
+struct BodyMotion {
+  double mass = 0;                            ///< [kg]
+  Vec3 momentum = Vec3::Zero();               ///< [kg m/s]
+  double kinetic_energy = 0, elastic_energy = 0;  ///< [J]
+  double max_displacement = 0;                ///< largest |x − X| over the copies [m]
+};
+
+/// Wall time of one step's phases [ms].
+struct PhaseTimes {
+  double cut = 0, assembly = 0, solve = 0, update = 0;
+};
+
+struct StepResult {
+  std::vector<CutResult> cuts;  ///< those that took effect before this step
+  int iterations = 0;           ///< of the linear solve; 0 when direct
+  double residual = 0;          ///< relative
+  double step_ms = 0;           ///< wall time of the whole step
+  PhaseTimes phase_ms;
+};
+
+/// A step could not be taken, nor two of half its length. The state is the one before it.
+class StepFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One soft body: owns the state and calls the stages. Not thread-safe.
+class DeformableBody {
+ public:
+  /// `urdf` is the text of the tool's description where the scene's tool needs one.
+  /// Throws InputError when the scene and the mesh do not go together.
+  DeformableBody(const Scene& scene, TetMesh mesh, const std::string& urdf = "");
+  ~DeformableBody();
+
+  /// Applies what is due, then takes one step of Δt. Throws StepFailed with the state restored.
+  StepResult step();
+
+  /// Cuts at once, in the current configuration. Never throws for what the plane says: it is REJECTED with the reason.
+  CutResult cut(const CutPlane& plane);
+
+  /// Cuts before the step that starts at the first k Δt ≥ time.
+  void schedule(const ScheduledCut& cut);
+
+  /// Sweeps the blade from its last pose to this one, cutting what it crosses; the first pose only places it. Returns a
+  /// result when the blade has left the body and so ended a stroke. Needs a scene with a tool.
+  std::optional<CutResult> moveTool(const ToolPose& pose);
+
+  /// Forgets where the blade was, so that the next pose only places it; ends the stroke under way.
+  std::optional<CutResult> liftTool();
+
+  /// Back to the state after construction: no cuts but the scene's, which are scheduled again.
+  void reset();
+
+  const Scene& scene() const;
+  const CutMesh& mesh() const;
+  std::int64_t steps() const;
+  double time() const;  ///< steps × Δt [s]
+
+  const std::vector<Vec3>& positions() const;   ///< x of every copy [m]
+  const std::vector<Vec3>& velocities() const;  ///< v of every copy [m/s]
+  std::vector<Vec3> nodePositions() const;      ///< of every node's own copy, in mesh order; X where no element uses it
+
+  BodyCounts counts() const;
+  BodyMotion motion() const;
+  std::vector<double> pieceVolumes() const;  ///< rest volumes [m³], ascending
+  std::vector<Mat3> partStress() const;      ///< Cauchy stress [Pa] of every part, in the body's frame
+
+  /// The closed surface; rebuilt only after its topology changed.
+  const Surface& surface() const;
+  /// Grows whenever a cut changes the topology, and at a reset.
+  std::uint64_t topologyVersion() const;
+
+  /// Of step count, topology, positions and velocities; equal for equal commands whatever the thread count.
+  std::uint64_t stateHash() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace incision

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incision/cut/crack.h"
+#include "incision/fem/boundary.h"
+#include "incision/fem/material.h"
+#include "incision/fem/mass.h"
+#include "incision/mesh/grid_mesh.h"
+#include "incision/mesh/mesh_io.h"
+#include "incision/solver/settings.h"
+#include "incision/tool/blade.h"
+
+namespace YAML {
+class Node;
+}
+
+namespace incision {
+
+struct BodySettings {
+  std::string mesh;                  ///< file, package:// address or absolute path; or
+  std::optional<GridSettings> grid;  ///< exactly one of the two is given
+  std::string frame = "body";        ///< tf frame of the body's coordinates
+  Material material;
+  bool warping = true;
+  Mass mass = Mass::LUMPED;
+};
+
+struct ScheduledCut {
+  double time = 0;  ///< takes effect before the step that starts at the first k Δt ≥ time
+  CutPlane plane;
+};
+
+struct Scene {
+  BodySettings body;
+  Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
+  std::vector<Hold> boundary;
+  std::vector<Load> loads;
+  SolverSettings solver;
+  std::vector<ScheduledCut> cuts;
+  std::optional<ToolSettings> tool;
+};
+
+/// Reads a scene and checks every value. `source` is the file or parameter errors name; relative paths in the scene are
+/// taken from `folder`. Throws InputError with source, key, value and what is allowed.
+Scene parseScene(const YAML::Node& root, const std::string& source, const std::string& folder);
+
+/// Reads a scene file; each override "solver.time_step=0.005" replaces or adds one value first.
+Scene loadScene(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Absolute path of a `package://` address, an absolute path, or a path relative to `folder`. Throws InputError when
+/// the package is not found.
+std::string resolvePath(const std::string& address, const std::string& folder);
+
+/// The scene's mesh file or grid.
+TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs = nullptr);
+
+}  // namespace incision

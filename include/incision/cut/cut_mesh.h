@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "incision/cut/crack.h"
+#include "incision/cut/part.h"
+#include "incision/mesh/tet_mesh.h"
+
+namespace incision {
+
+/// A node within this share of its shortest edge of a crack lies on the crack. It spares the solver slivers: what a
+/// crack cuts off a corner is then at least SNAP³ = 1e-12 of the element, the smallest share measured harmless.
+/// Larger values move the crack visibly; smaller ones admit shares that rounding makes meaningless.
+inline constexpr double SNAP = 1e-4;
+
+/// φ below this share of its largest magnitude is zero at a part's corner: a thousand times the rounding of φ.
+inline constexpr double ZERO_PHI = 1e-13;
+
+/// Parts hang together across a face where they share more than this of its area; less is rounding.
+inline constexpr double MIN_OVERLAP = 1e-12;
+
+/// A cut that would leave more parts in one element is refused; far beyond what a scene shows, it bounds the time of
+/// a cut, which is quadratic in it.
+inline constexpr int MAX_PARTS_PER_ELEMENT = 4096;
+
+/// A cut that could leave more copies is refused: some 100 GB for the solver.
+inline constexpr int MAX_COPIES = 10'000'000;
+
+/// The material of one element on one side of all its cracks.
+struct Part {
+  int element;
+  std::array<int, 4> copies;  ///< c(p, I): the copy of each of the element's nodes that the part uses
+  double fraction;            ///< w_p = V_p / V_e
+  int detail;                 ///< index of its CutPart, or −1: the whole element, met by no crack
+  int next;                   ///< next part of the same element, or −1; the first part of element e is part e
+};
+
+/// On which side of a crack a part lies that has a whole face in the crack.
+struct FaceSide {
+  int face, crack, side;  ///< side: +1 or −1
+};
+
+/// What only a part that some crack has met needs.
+struct CutPart {
+  Polytope polytope;
+  Barycentric centroid;
+  Eigen::Matrix4d products;          ///< ∫_p N_I N_J dX / V_e
+  std::vector<FaceSide> face_sides;
+};
+
+/// Two parts that overlap on a face of the mesh, and where.
+struct FacePair {
+  int part, other;
+  bool severed;
+  std::vector<FacePoint> polygon;  ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
+};
+
+/// What inserting a crack did.
+struct Insertion {
+  int parts_split = 0, faces_severed = 0, copies_added = 0;
+  /// Parts that the crack met without splitting them because its section's centroid lies outside the bounds.
+  int out_of_bounds = 0;
+  bool changed() const { return parts_split > 0 || faces_severed > 0; }
+};
+
+/// The parts of every element and the copies of every node: what cracks have made of a mesh.
+///
+/// Copies are numbered so that the own copy of a node keeps its number for good; new copies are appended, and so are
+/// new parts (the positive half of a split part keeps the part's number).
+class CutMesh {
+ public:
+  /// Throws InputError when a face belongs to more than two elements.
+  explicit CutMesh(TetMesh mesh);
+
+  const TetMesh& mesh() const { return mesh_; }
+  const MeshTopology& topology() const { return topology_; }
+  const std::vector<Part>& parts() const { return parts_; }
+  const CutPart& detail(int part) const { return details_[parts_[part].detail]; }
+  int numCracks() const { return num_cracks_; }
+
+  const Polytope& polytope(int part) const;
+  Barycentric centroid(int part) const;
+  bool holdsNode(int part, int local_node) const;
+
+  int numCopies() const { return static_cast<int>(copy_node_.size()); }
+  int copyNode(int copy) const { return copy_node_[copy]; }
+  /// The copy a new copy was made from; its own number for a copy that was there at loading.
+  int copyParent(int copy) const { return copy_parent_[copy]; }
+  /// −1 for a node that no element uses.
+  int ownCopy(int node) const { return own_copy_[node]; }
+  /// Shortest rest edge [m] at a node.
+  double shortestEdge(int node) const { return shortest_edge_[node]; }
+
+  /// Every pair of parts that overlap on `face` of `element`, seen from `element`; none on the boundary.
+  std::vector<FacePair> facePairs(int element, int face) const;
+
+  /// Splits parts, severs faces and adds copies as the crack asks. A crack that changes nothing is not counted.
+  /// Throws InputError, with nothing changed, when the result would pass MAX_PARTS_PER_ELEMENT or MAX_COPIES.
+  Insertion insert(const CrackField& crack);
+
+  /// The piece of every copy: pieces are numbered from 0 in the order of their lowest copy.
+  std::vector<int> copyPieces(int* num_pieces) const;
+
+ private:
+  struct Plan;
+  Plan plan(const CrackField& crack) const;
+  void apply(const Plan& plan);
+  CutPart& makeDetail(int part);
+  int reconnect(const std::vector<int>& nodes);
+
+  TetMesh mesh_;
+  MeshTopology topology_;
+  std::vector<double> shortest_edge_;
+  std::vector<Part> parts_;
+  std::vector<CutPart> details_;
+  std::vector<int> copy_node_, copy_parent_, own_copy_;
+  int num_cracks_ = 0;
+};
+
+}  // namespace incision

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+
+namespace incision {
+
+/// Axis-aligned, in rest coordinates [m], closed.
+struct Box {
+  Vec3 min = Vec3::Zero(), max = Vec3::Zero();
+  bool contains(const Vec3& X) const { return (X.array() >= min.array()).all() && (X.array() <= max.array()).all(); }
+};
+
+/// Nodes whose rest position lies in the box move with a given velocity.
+struct Hold {
+  Box box;
+  Vec3 velocity = Vec3::Zero();  ///< [m/s]
+};
+
+/// A dead load on the boundary faces all of whose nodes lie in the box.
+struct Load {
+  Box box;
+  Vec3 traction = Vec3::Zero();  ///< [Pa]
+  double ramp = 0;               ///< time [s] from nothing to full; 0: at once
+};
+
+/// Index of the first hold whose box contains the node, or −1, for every node.
+std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Hold>& holds);
+
+/// The hold of every copy, or −1. A copy of a held node is held when it is the own copy, or when its parts own area of
+/// a boundary face, or volume of an element, all of whose nodes are held.
+std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<int>& held_nodes);
+
+/// Nodal forces [N] at full load, one entry per load: Σ ∫ N_I t dA over what each part owns of the loaded faces.
+std::vector<std::vector<Vec3>> loadForces(const CutMesh& mesh, const std::vector<Load>& loads);
+
+}  // namespace incision

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace incision {
+
+enum class Mass { LUMPED, CONSISTENT };
+
+}  // namespace incision

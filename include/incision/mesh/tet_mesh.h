@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace incision {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// The mesh as read; it never changes after loading.
+struct TetMesh {
+  std::vector<Vec3> nodes;                     ///< rest positions X [m]; a node no element uses stays in the list
+  std::vector<std::array<int, 4>> elements;    ///< nodes of each tetrahedron, det [X1−X0, X2−X0, X3−X0] > 0
+};
+
+/// Local nodes of the face opposite to local node `f`, counter-clockwise seen from outside the element.
+inline constexpr std::array<std::array<int, 3>, 4> FACE_NODES = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// Local nodes at the ends of the six edges.
+inline constexpr std::array<std::array<int, 2>, 6> EDGE_NODES = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// Which elements meet where.
+struct MeshTopology {
+  /// Element across the face opposite to local node f, or −1 on the boundary.
+  std::vector<std::array<int, 4>> neighbours;
+  /// Elements round node n: star[star_start[n]] … star[star_start[n + 1] − 1], ascending.
+  std::vector<int> star_start, star;
+};
+
+/// Throws InputError when a face belongs to more than two elements.
+MeshTopology buildTopology(const TetMesh& mesh);
+
+/// Six times the signed volume [m³] of a tetrahedron.
+double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Volume [m³] of element `e`.
+double elementVolume(const TetMesh& mesh, int e);
+
+/// Shortest edge [m] at each node over the elements that use it; infinity at a node no element uses.
+std::vector<double> shortestEdges(const TetMesh& mesh);
+
+}  // namespace incision
