@@ -32,10 +32,10 @@ struct BodyCounts {
 
 /// Sums over the body at the current state.
 struct BodyMotion {
-  double mass = 0;                            ///< [kg]
-  Vec3 momentum = Vec3::Zero();               ///< [kg m/s]
+  double mass = 0;                                ///< [kg]
+  Vec3 momentum = Vec3::Zero();                   ///< [kg m/s]
   double kinetic_energy = 0, elastic_energy = 0;  ///< [J]
-  double max_displacement = 0;                ///< largest |x − X| over the copies [m]
+  double max_displacement = 0;                    ///< largest |x − X| over the copies [m]
 };
 
 /// Wall time of one step's phases [ms].

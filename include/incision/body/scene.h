@@ -6,8 +6,8 @@
 
 #include "incision/cut/crack.h"
 #include "incision/fem/boundary.h"
-#include "incision/fem/material.h"
 #include "incision/fem/mass.h"
+#include "incision/fem/material.h"
 #include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/mesh_io.h"
 #include "incision/solver/settings.h"

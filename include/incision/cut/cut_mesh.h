@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "incision/cut/crack.h"
+#include "incision/cut/face_polygon.h"
 #include "incision/cut/part.h"
 #include "incision/mesh/tet_mesh.h"
 
@@ -45,7 +47,7 @@ struct FaceSide {
 struct CutPart {
   Polytope polytope;
   Barycentric centroid;
-  Eigen::Matrix4d products;          ///< ∫_p N_I N_J dX / V_e
+  Eigen::Matrix4d products;  ///< ∫_p N_I N_J dX / V_e
   std::vector<FaceSide> face_sides;
 };
 
@@ -53,7 +55,7 @@ struct CutPart {
 struct FacePair {
   int part, other;
   bool severed;
-  std::vector<FacePoint> polygon;  ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
+  FacePolygon polygon;  ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
 };
 
 /// What inserting a crack did.
@@ -103,11 +105,19 @@ class CutMesh {
   std::vector<int> copyPieces(int* num_pieces) const;
 
  private:
+  struct SplitPart;
+  struct SeveredPair;
   struct Plan;
-  Plan plan(const CrackField& crack) const;
-  void apply(const Plan& plan);
+
+  Plan plan(const CrackField& crack, Insertion* done) const;
+  void planSplit(const CrackField& crack, double zero, int part, Plan* plan, Insertion* done) const;
+  void planSever(const CrackField& crack, int part, Plan* plan) const;
+  void checkLimits(const Plan& plan) const;
+  bool severed(int part, int face, int other, int other_face) const;
+  bool coincidesWithCut(int part, const std::vector<Barycentric>& section) const;
+  void apply(Plan&& plan);
   CutPart& makeDetail(int part);
-  int reconnect(const std::vector<int>& nodes);
+  void reconnect(std::vector<int> nodes, const std::vector<std::pair<int, int>>& sides);
 
   TetMesh mesh_;
   MeshTopology topology_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace incision {
@@ -24,11 +25,12 @@ struct Polytope {
   const Facet* onFace(int face) const;
 };
 
+/// The part of an element that no crack has met.
 const Polytope& wholeElement();
 
 /// Moments of a polytope, as shares of the element's volume V_e.
 struct PolytopeMoments {
-  double fraction;           ///< V_p / V_e
+  double fraction;  ///< V_p / V_e, > 0
   Barycentric centroid;
   Eigen::Matrix4d products;  ///< ∫_p N_I N_J dX / V_e
 };
@@ -37,24 +39,17 @@ PolytopeMoments moments(const Polytope& polytope);
 /// Sign of a linear function at every corner: −1, 0 or 1; within `zero` of 0 it is 0.
 std::vector<signed char> cornerSigns(const Polytope& polytope, const Eigen::Vector4d& phi, double zero);
 
-/// The two convex halves on either side of φ = 0, joined along the section that crack `crack` makes.
-struct Halves {
+/// What a crack makes of a polytope.
+struct Split {
   Polytope positive, negative;
+  std::vector<Barycentric> section;  ///< the polygon that parts them
 };
-Halves split(const Polytope& polytope, const Eigen::Vector4d& phi, const std::vector<signed char>& signs, int crack);
 
-/// Corners of the section φ = 0 of a polytope that has corners of both signs, in order round it.
-std::vector<Barycentric> section(const Polytope& polytope, const Eigen::Vector4d& phi,
-                                 const std::vector<signed char>& signs);
+/// Splits along φ = 0 as crack `crack`; `signs` has both signs. Empty when rounding leaves no polygon to split along.
+std::optional<Split> split(const Polytope& polytope, const Eigen::Vector4d& phi, const std::vector<signed char>& signs,
+                           int crack);
 
 /// Centroid by area of a flat convex polygon of at least three corners; with no area, the mean of its corners.
 Barycentric polygonCentroid(const std::vector<Barycentric>& polygon);
-
-/// A polygon on an element's face as weights of three of its nodes, and its share of the face's area.
-using FacePoint = Eigen::Vector3d;
-double faceShare(const std::vector<FacePoint>& polygon);
-
-/// Common region of two convex polygons on the same face, both counter-clockwise in the same sense.
-std::vector<FacePoint> overlap(const std::vector<FacePoint>& a, const std::vector<FacePoint>& b);
 
 }  // namespace incision

@@ -11,8 +11,8 @@ using Mat3 = Eigen::Matrix3d;
 
 /// The mesh as read; it never changes after loading.
 struct TetMesh {
-  std::vector<Vec3> nodes;                     ///< rest positions X [m]; a node no element uses stays in the list
-  std::vector<std::array<int, 4>> elements;    ///< nodes of each tetrahedron, det [X1−X0, X2−X0, X3−X0] > 0
+  std::vector<Vec3> nodes;                   ///< rest positions X [m]; a node no element uses stays in the list
+  std::vector<std::array<int, 4>> elements;  ///< nodes of each tetrahedron, det [X1−X0, X2−X0, X3−X0] > 0
 };
 
 /// Local nodes of the face opposite to local node `f`, counter-clockwise seen from outside the element.

@@ -17,10 +17,10 @@ struct SurfaceVertex {
 /// The closed, outward-oriented surface of all pieces. Every edge of a triangle is an edge of exactly one other
 /// triangle, run the other way; no two pieces share a vertex.
 struct Surface {
-  std::vector<SurfaceVertex> vertices;                ///< x_surface = W x, one row of W each
-  std::vector<std::array<int, 3>> triangles;          ///< counter-clockwise seen from outside
-  std::vector<int> part;                              ///< of each triangle: the part it bounds
-  std::vector<bool> cut_face;                         ///< of each triangle: made by a crack, not the body's skin
+  std::vector<SurfaceVertex> vertices;        ///< x_surface = W x, one row of W each
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
+  std::vector<int> part;                      ///< of each triangle: the part it bounds
+  std::vector<bool> cut_face;                 ///< of each triangle: made by a crack, not the body's skin
 };
 
 Surface buildSurface(const CutMesh& mesh);

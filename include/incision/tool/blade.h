@@ -25,10 +25,10 @@ struct TimedToolPose {
 using Edge = std::array<Vec3, 2>;
 
 struct ToolSettings {
-  std::string description;            ///< URDF file; may be empty when `edge` is given
-  std::string link;                   ///< the blade's link
-  std::optional<Edge> edge;           ///< in the link's frame; absent: the longest edge of the link's first collision box
-  std::vector<TimedToolPose> poses;   ///< ascending times; between them the pose is interpolated
+  std::string description;   ///< URDF file; may be empty when `edge` is given
+  std::string link;          ///< the blade's link
+  std::optional<Edge> edge;  ///< in the link's frame; absent: the longest edge of the link's first collision box
+  std::vector<TimedToolPose> poses;  ///< ascending times; between them the pose is interpolated
 };
 
 /// The cutting edge in the blade link's frame. `urdf` is the text of the description, `name` what errors call it.

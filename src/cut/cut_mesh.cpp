@@ -1,0 +1,112 @@
+#include "incision/cut/cut_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace incision {
+namespace {
+
+bool oppositeSides(const FaceSide& a, const FaceSide& b) { return a.crack == b.crack && a.side != b.side; }
+
+const FacePolygon WHOLE_FACE = {FacePoint::UnitX(), FacePoint::UnitY(), FacePoint::UnitZ()};
+
+/// A facet on a face as weights of the listed local nodes, whose order sets the sense of rotation.
+FacePolygon onNodes(const Polytope& polytope, const Facet& facet, const std::array<int, 3>& nodes, bool reverse) {
+  FacePolygon polygon;
+  polygon.reserve(facet.corners.size());
+  for (int c : facet.corners) {
+    const Barycentric& b = polytope.corners[c];
+    polygon.emplace_back(b[nodes[0]], b[nodes[1]], b[nodes[2]]);
+  }
+  if (reverse) std::reverse(polygon.begin(), polygon.end());
+  return polygon;
+}
+
+}  // namespace
+
+CutMesh::CutMesh(TetMesh mesh)
+    : mesh_(std::move(mesh)), topology_(buildTopology(mesh_)), shortest_edge_(shortestEdges(mesh_)) {
+  own_copy_.assign(mesh_.nodes.size(), -1);
+  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+    if (topology_.star_start[n] == topology_.star_start[n + 1]) continue;
+    own_copy_[n] = numCopies();
+    copy_node_.push_back(static_cast<int>(n));
+  }
+  copy_parent_.resize(copy_node_.size());
+  std::iota(copy_parent_.begin(), copy_parent_.end(), 0);
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    Part part{static_cast<int>(e), {}, 1, -1, -1};
+    for (int I = 0; I < 4; ++I) part.copies[I] = own_copy_[mesh_.elements[e][I]];
+    parts_.push_back(part);
+  }
+  reconnect(copy_node_, {});
+  std::iota(copy_parent_.begin(), copy_parent_.end(), 0);
+}
+
+const Polytope& CutMesh::polytope(int part) const {
+  return parts_[part].detail < 0 ? wholeElement() : detail(part).polytope;
+}
+
+Barycentric CutMesh::centroid(int part) const {
+  return parts_[part].detail < 0 ? Barycentric::Constant(0.25) : detail(part).centroid;
+}
+
+bool CutMesh::holdsNode(int part, int local_node) const {
+  if (parts_[part].detail < 0) return true;
+  const auto& corners = detail(part).polytope.corners;
+  return std::any_of(corners.begin(), corners.end(), [&](const Barycentric& b) { return b[local_node] == 1; });
+}
+
+std::vector<FacePair> CutMesh::facePairs(int element, int face) const {
+  std::vector<FacePair> pairs;
+  const int across = topology_.neighbours[element][face];
+  if (across < 0) return pairs;
+  int back = 0;
+  while (topology_.neighbours[across][back] != element) ++back;
+  const auto& nodes = FACE_NODES[face];
+  std::array<int, 3> same;  // the face's nodes, as the neighbour numbers them
+  for (int i = 0; i < 3; ++i)
+    for (int J = 0; J < 4; ++J)
+      if (mesh_.elements[across][J] == mesh_.elements[element][nodes[i]]) same[i] = J;
+
+  for (int p = element; p >= 0; p = parts_[p].next)
+    for (int q = across; q >= 0; q = parts_[q].next) {
+      FacePair pair{p, q, severed(p, face, q, back), WHOLE_FACE};
+      if (parts_[p].detail >= 0 || parts_[q].detail >= 0) {
+        const Facet *at_p = polytope(p).onFace(face), *at_q = polytope(q).onFace(back);
+        if (!at_p || !at_q) continue;
+        pair.polygon = overlap(onNodes(polytope(p), *at_p, nodes, false), onNodes(polytope(q), *at_q, same, true));
+        if (faceShare(pair.polygon) <= MIN_OVERLAP) continue;
+      }
+      pairs.push_back(std::move(pair));
+    }
+  return pairs;
+}
+
+bool CutMesh::severed(int part, int face, int other, int other_face) const {
+  if (parts_[part].detail < 0 || parts_[other].detail < 0) return false;
+  for (const FaceSide& a : detail(part).face_sides)
+    for (const FaceSide& b : detail(other).face_sides)
+      if (a.face == face && b.face == other_face && oppositeSides(a, b)) return true;
+  return false;
+}
+
+std::vector<int> CutMesh::copyPieces(int* num_pieces) const {
+  std::vector<int> link(numCopies());
+  std::iota(link.begin(), link.end(), 0);
+  const auto root = [&link](int c) {
+    while (link[c] != c) c = link[c] = link[link[c]];
+    return c;
+  };
+  for (const Part& part : parts_)
+    for (int I = 1; I < 4; ++I) {
+      const int a = root(part.copies[0]), b = root(part.copies[I]);
+      link[std::max(a, b)] = std::min(a, b);
+    }
+  std::vector<int> piece(numCopies());
+  *num_pieces = 0;
+  for (int c = 0; c < numCopies(); ++c) piece[c] = link[c] == c ? (*num_pieces)++ : piece[root(c)];
+  return piece;
+}
+
+}  // namespace incision
