@@ -40,24 +40,27 @@ struct CutMesh::SeveredPair {
 
 /// All that a crack will do, worked out before anything changes.
 struct CutMesh::Plan {
+  int crack;
   std::vector<SplitPart> splits;
   std::vector<SeveredPair> severed;  // `part` on the positive side
 };
 
 Insertion CutMesh::insert(const CrackField& crack) {
   Insertion done;
-  Plan work = plan(crack, &done);
+  const int number = crack.crack < 0 ? num_cracks_ : crack.crack;
+  Plan work = plan(crack, number, &done);
   if (!done.changed()) return done;
   checkLimits(work);
   const int before = numCopies();
   apply(std::move(work));
-  ++num_cracks_;
+  done.crack = number;
+  num_cracks_ = std::max(num_cracks_, number + 1);
   done.copies_added = numCopies() - before;
   return done;
 }
 
-CutMesh::Plan CutMesh::plan(const CrackField& crack, Insertion* done) const {
-  Plan plan;
+CutMesh::Plan CutMesh::plan(const CrackField& crack, int number, Insertion* done) const {
+  Plan plan{number, {}, {}};
   double scale = 0;
   const auto visit = [&](auto&& action) {
     if (crack.parts.empty())
@@ -80,7 +83,7 @@ void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* pl
   const Eigen::Vector4d phi = atCopies(crack.phi, parts_[part]);
   const std::vector<signed char> signs = cornerSigns(polytope(part), phi, zero);
   if (!bothSigns(signs)) return;
-  std::optional<Split> halves = split(polytope(part), phi, signs, num_cracks_);
+  std::optional<Split> halves = split(polytope(part), phi, signs, plan->crack);
   if (!halves || coincidesWithCut(part, halves->section)) return;
   if (crack.contains && !crack.contains(part, polygonCentroid(halves->section))) {
     ++done->out_of_bounds;
@@ -190,8 +193,8 @@ void CutMesh::apply(Plan&& plan) {
     touch(negative, -1);
   }
   for (const SeveredPair& pair : plan.severed) {
-    makeDetail(pair.part).face_sides.push_back({pair.face, num_cracks_, 1});
-    makeDetail(pair.other).face_sides.push_back({pair.other_face, num_cracks_, -1});
+    makeDetail(pair.part).face_sides.push_back({pair.face, plan.crack, 1});
+    makeDetail(pair.other).face_sides.push_back({pair.other_face, plan.crack, -1});
     touch(pair.part, 1);
     touch(pair.other, -1);
   }

@@ -26,15 +26,17 @@ std::string whyInvalid(const CutPlane& plane);
 
 /// A crack as the cut mesh sees it: a signed distance at the copies, linear in each part, and bounds.
 struct CrackField {
+  int crack = -1;           ///< the number of the crack that grows; −1: a new one
   std::vector<double> phi;  ///< φ [m] at every copy
   std::vector<int> parts;   ///< the parts it may split or sever; empty: all
   /// Whether the crack reaches a point of a part. Asked for the centroid of a section or face; empty: unbounded.
   std::function<bool(int part, const Barycentric& point)> contains;
 };
 
-/// φ_c = n·(x_c − point) and the rectangle's bounds at the copies' current positions `x` [m]. Keeps references to the
-/// arguments only until the crack is inserted.
 class CutMesh;
+
+/// φ_c = n·(x_c − point) and the rectangle's bounds at the copies' current positions `x` [m]. The field refers to
+/// `mesh` and `x`.
 CrackField planeField(const CutPlane& plane, const CutMesh& mesh, const std::vector<Vec3>& x);
 
 }  // namespace incision

@@ -60,6 +60,7 @@ struct FacePair {
 
 /// What inserting a crack did.
 struct Insertion {
+  int crack = -1;  ///< the crack's number, where it changed anything
   int parts_split = 0, faces_severed = 0, copies_added = 0;
   /// Parts that the crack met without splitting them because its section's centroid lies outside the bounds.
   int out_of_bounds = 0;
@@ -97,7 +98,7 @@ class CutMesh {
   /// Every pair of parts that overlap on `face` of `element`, seen from `element`; none on the boundary.
   std::vector<FacePair> facePairs(int element, int face) const;
 
-  /// Splits parts, severs faces and adds copies as the crack asks. A crack that changes nothing is not counted.
+  /// Splits parts, severs faces and adds copies as the crack asks. A new crack that changes nothing is not counted.
   /// Throws InputError, with nothing changed, when the result would pass MAX_PARTS_PER_ELEMENT or MAX_COPIES.
   Insertion insert(const CrackField& crack);
 
@@ -109,7 +110,7 @@ class CutMesh {
   struct SeveredPair;
   struct Plan;
 
-  Plan plan(const CrackField& crack, Insertion* done) const;
+  Plan plan(const CrackField& crack, int number, Insertion* done) const;
   void planSplit(const CrackField& crack, double zero, int part, Plan* plan, Insertion* done) const;
   void planSever(const CrackField& crack, int part, Plan* plan) const;
   void checkLimits(const Plan& plan) const;

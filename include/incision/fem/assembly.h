@@ -1,0 +1,76 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+#include "incision/fem/linear_tet.h"
+#include "incision/fem/mass.h"
+#include "incision/fem/material.h"
+
+namespace incision {
+
+/// One corner of a part: the part and the local node.
+struct Corner {
+  int part, node;
+};
+
+/// Forces and masses of all parts, over the copies. `topologyChanged` must be called after every cut.
+class Assembly {
+ public:
+  /// `mesh` must outlive this. With `warping` false every rotation is the identity.
+  Assembly(const CutMesh& mesh, const Material& material, Mass mass, bool warping, int threads);
+
+  /// Takes over the mesh's parts and copies; new parts get their rotation from the positions `x` [m].
+  void topologyChanged(const std::vector<Vec3>& x);
+
+  /// R_p of every part from the copies' positions.
+  void rotate(const std::vector<Vec3>& x);
+  void resetRotations();
+
+  /// Σ_p w_p R_p K_e (R_pᵀ y − X) [N] at every copy. With y = x it is f_int; as it is affine in y with slope K, one
+  /// call at y = x + τ v gives f_int + τ K v.
+  void elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const;
+
+  /// M w at every copy.
+  void multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const;
+
+  /// Σ_p V_p ½ σ:ε [J].
+  double elasticEnergy(const std::vector<Vec3>& x) const;
+
+  /// R_p σ R_pᵀ [Pa].
+  Mat3 stress(int part, const std::vector<Vec3>& x) const;
+
+  const CutMesh& mesh() const { return mesh_; }
+  const Material& material() const { return material_; }
+  bool warping() const { return warping_; }
+  bool consistentMass() const { return mass_ == Mass::CONSISTENT; }
+  int threads() const { return threads_; }
+
+  /// ρ Σ_p ∫ N_c dX [kg] of every copy: the lumped mass, and the row sums of the consistent one.
+  const std::vector<double>& masses() const { return masses_; }
+  double volume(int part) const;                     ///< V_p [m³]
+  Gradients rotatedGradients(int part) const;        ///< g_I = R_p b_I [1/m]
+  double massProduct(int part, int I, int J) const;  ///< ρ ∫_p N_I N_J dX [kg]
+
+  /// The corners that use copy c: corners[corner_start[c]] … corners[corner_start[c + 1] − 1].
+  const std::vector<int>& cornerStart() const { return corner_start_; }
+  const std::vector<Corner>& corners() const { return corners_; }
+
+ private:
+  Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
+  void gather(std::vector<Vec3>* result) const;
+
+  const CutMesh& mesh_;
+  Material material_;
+  Mass mass_;
+  bool warping_;
+  int threads_;
+  std::vector<RestElement> rest_;
+  std::vector<Mat3> rotations_;
+  std::vector<double> masses_;
+  std::vector<int> corner_start_;
+  std::vector<Corner> corners_;
+  mutable std::vector<Eigen::Matrix<double, 3, 4>> part_forces_;  // scratch of elasticForces and multiplyMass
+};
+
+}  // namespace incision

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "incision/fem/boundary.h"
+#include "incision/solver/linear_solver.h"
+
+namespace incision {
+
+/// Positions and velocities of all copies.
+struct Motion {
+  std::vector<Vec3> x;  ///< [m]
+  std::vector<Vec3> v;  ///< [m/s]
+};
+
+/// Forces from outside and what is held.
+struct BoundaryConditions {
+  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
+  std::vector<Hold> holds;
+  std::vector<Load> loads;
+};
+
+/// Wall time [ms] of the phases of a step.
+struct StepTimes {
+  double assembly = 0, solve = 0, update = 0;
+};
+
+/// One linearly implicit step at a time: from (x, v)
+///   (M + Δt C + Δt² K) Δv = Δt (f_ext − C v − f_int − Δt K v),  v += Δv,  x += Δt v,  C = α M + β K.
+class ImplicitStep {
+ public:
+  ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, bool warping,
+               const BoundaryConditions& conditions, const SolverSettings& settings);
+
+  /// After every cut, and before the first step.
+  void topologyChanged(const Motion& motion);
+
+  /// Forgets what earlier steps left behind (rotations, first guess).
+  void reset();
+
+  /// Advances from `time` by `time_step` [s]. Returns false, with the motion as it was, when the system cannot be
+  /// factorised or a value is not finite.
+  bool advance(double time, double time_step, Motion* motion);
+
+  const Assembly& assembly() const { return assembly_; }
+  const SolveStats& stats() const { return stats_; }
+  const StepTimes& times() const { return times_; }
+  const std::vector<int>& held() const { return held_; }
+
+ private:
+  void prepareMatrix(double time_step, const Motion& motion);
+  void externalForces(double time);
+  void residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r);
+
+  const CutMesh& mesh_;
+  BoundaryConditions conditions_;
+  SolverSettings settings_;
+  Assembly assembly_;
+  std::unique_ptr<LinearSolver> solver_;
+  std::vector<int> held_nodes_, held_;          // hold of each node and copy, or −1
+  std::vector<std::vector<Vec3>> load_forces_;  // of each load, by copy [N]
+  bool topology_known_ = false, matrix_known_ = false;
+  double matrix_time_step_ = 0;
+  std::vector<Vec3> dv_, external_, w_, y_, forces_, inertia_;
+  SolveStats stats_;
+  StepTimes times_;
+};
+
+}  // namespace incision

@@ -1,0 +1,332 @@
+#include "incision/body/deformable_body.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <deque>
+
+#include "incision/mesh/input_error.h"
+#include "incision/solver/implicit_step.h"
+#include "incision/tool/stroke.h"
+
+namespace incision {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A command due within this [s] of a step's start takes effect before it.
+constexpr double DUE_TOLERANCE = 1e-9;
+
+/// The tool's sweep is cut into pieces that turn by no more than this [rad], so that each is nearly flat.
+constexpr double MAX_SWEEP_TURN = 0.1;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+ToolPose between(const ToolPose& a, const ToolPose& b, double s) {
+  return {(1 - s) * a.position + s * b.position, a.orientation.slerp(s, b.orientation)};
+}
+
+/// 64-bit FNV-1a.
+class Hash {
+ public:
+  template <typename T>
+  void add(const T* values, std::size_t count) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+    for (std::size_t i = 0; i < count * sizeof(T); ++i) value_ = (value_ ^ bytes[i]) * 1099511628211ULL;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037ULL;
+};
+
+std::string missedReason(const Insertion& done) {
+  if (done.out_of_bounds == 0) return "it crosses no part of the body that is not cut there already";
+  return "its plane crosses " + std::to_string(done.out_of_bounds) +
+         " parts but its bounds hold the centre of no section: smaller than the elements, or beside the body";
+}
+
+}  // namespace
+
+struct DeformableBody::State {
+  State(const Scene& s, TetMesh rest, const std::string& urdf)
+      : scene(s),
+        mesh(std::move(rest)),
+        step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
+    if (scene.tool) edge = bladeEdge(*scene.tool, urdf, scene.tool->description);
+    start();
+  }
+
+  void start();
+  void topologyChanged();
+  CutResult cut(const CutPlane& plane);
+  std::optional<CutResult> moveTool(const ToolPose& pose);
+  std::optional<CutResult> endStroke();
+  void applyDue(StepResult* result);
+  std::optional<ToolPose> scenePose() const;
+  double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
+
+  Scene scene;
+  CutMesh mesh;
+  ImplicitStep step;
+  Motion motion, before;  // `before`: the state to which a failed step returns
+  std::int64_t steps = 0;
+  std::deque<ScheduledCut> scheduled;  // by time; equal times in the order they came
+  Edge edge;                           // of the blade, in its link's frame
+  std::optional<ToolPose> tool_pose;
+  Stroke stroke;
+  CutResult stroke_result;
+  std::vector<int> piece;  // of each copy
+  int pieces = 0;
+  std::uint64_t topology_version = 0;
+  mutable Surface surface;
+  mutable std::uint64_t surface_version = 0;
+};
+
+void DeformableBody::State::start() {
+  motion.x.clear();
+  for (int c = 0; c < mesh.numCopies(); ++c) motion.x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
+  motion.v.assign(motion.x.size(), Vec3::Zero());
+  steps = 0;
+  scheduled.assign(scene.cuts.begin(), scene.cuts.end());
+  std::stable_sort(scheduled.begin(), scheduled.end(),
+                   [](const ScheduledCut& a, const ScheduledCut& b) { return a.time < b.time; });
+  tool_pose.reset();
+  stroke = Stroke();
+  stroke_result = CutResult();
+  topologyChanged();
+}
+
+/// New copies start where their parent is, and move as it does.
+void DeformableBody::State::topologyChanged() {
+  for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
+    motion.x.push_back(motion.x[mesh.copyParent(c)]);
+    motion.v.push_back(motion.v[mesh.copyParent(c)]);
+  }
+  step.topologyChanged(motion);
+  piece = mesh.copyPieces(&pieces);
+  ++topology_version;
+}
+
+CutResult DeformableBody::State::cut(const CutPlane& plane) {
+  const auto start_time = Clock::now();
+  CutResult result;
+  result.label = plane.label;
+  result.reason = whyInvalid(plane);
+  if (!result.reason.empty()) {
+    result.status = CutStatus::REJECTED;
+  } else {
+    try {
+      const Insertion done = mesh.insert(planeField(plane, mesh, motion.x));
+      result.status = done.changed() ? CutStatus::APPLIED : CutStatus::MISSED;
+      if (done.changed())
+        topologyChanged();
+      else
+        result.reason = missedReason(done);
+      result.cracks = done.changed() ? 1 : 0;
+      result.parts_split = done.parts_split;
+      result.copies_added = done.copies_added;
+    } catch (const InputError& limit) {
+      result.status = CutStatus::REJECTED;
+      result.reason = limit.what();
+    }
+  }
+  result.pieces = pieces;
+  result.duration = secondsSince(start_time);
+  return result;
+}
+
+std::optional<CutResult> DeformableBody::State::moveTool(const ToolPose& pose) {
+  const std::optional<ToolPose> last = std::exchange(tool_pose, pose);
+  if (!last) return std::nullopt;
+  const auto start_time = Clock::now();
+  const int sweeps = 1 + static_cast<int>(last->orientation.angularDistance(pose.orientation) / MAX_SWEEP_TURN);
+  try {
+    for (int k = 0; k < sweeps; ++k) {
+      const Edge from = placed(edge, between(*last, pose, static_cast<double>(k) / sweeps));
+      const Edge to = placed(edge, between(*last, pose, static_cast<double>(k + 1) / sweeps));
+      const Insertion done = stroke.sweep(from, to, motion.x, &mesh);
+      if (!done.changed()) continue;
+      stroke_result.status = CutStatus::APPLIED;
+      stroke_result.cracks = 1;
+      stroke_result.parts_split += done.parts_split;
+      stroke_result.copies_added += done.copies_added;
+      topologyChanged();
+    }
+  } catch (const InputError& limit) {
+    stroke_result.status = CutStatus::REJECTED;
+    stroke_result.reason = limit.what();
+  }
+  stroke_result.duration += secondsSince(start_time);
+  if (!stroke.begun() || touches(placed(edge, pose), motion.x, mesh)) return std::nullopt;
+  return endStroke();
+}
+
+std::optional<CutResult> DeformableBody::State::endStroke() {
+  if (!stroke.begun()) return std::nullopt;
+  CutResult result = std::exchange(stroke_result, CutResult());
+  stroke = Stroke();
+  result.label = "tool";
+  result.pieces = pieces;
+  if (result.status == CutStatus::MISSED) result.reason = "the stroke passed no section's centre";
+  return result;
+}
+
+/// The scene's tool pose at the current time, if it gives one.
+std::optional<ToolPose> DeformableBody::State::scenePose() const {
+  if (!scene.tool || scene.tool->poses.empty()) return std::nullopt;
+  const std::vector<TimedToolPose>& poses = scene.tool->poses;
+  const double now = time();
+  if (now < poses.front().time - DUE_TOLERANCE || now > poses.back().time + DUE_TOLERANCE) return std::nullopt;
+  const auto after = std::lower_bound(poses.begin(), poses.end(), now,
+                                      [](const TimedToolPose& pose, double t) { return pose.time < t; });
+  if (after == poses.begin()) return poses.front().pose;
+  if (after == poses.end()) return poses.back().pose;
+  const auto previous = after - 1;
+  return between(previous->pose, after->pose, (now - previous->time) / (after->time - previous->time));
+}
+
+void DeformableBody::State::applyDue(StepResult* result) {
+  while (!scheduled.empty() && scheduled.front().time <= time() + DUE_TOLERANCE) {
+    const CutPlane plane = scheduled.front().plane;
+    scheduled.pop_front();
+    result->cuts.push_back(cut(plane));
+  }
+  if (const std::optional<ToolPose> pose = scenePose())
+    if (const std::optional<CutResult> ended = moveTool(*pose)) result->cuts.push_back(*ended);
+}
+
+DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const std::string& urdf)
+    : state_(std::make_unique<State>(scene, std::move(mesh), urdf)) {}
+
+DeformableBody::~DeformableBody() = default;
+
+StepResult DeformableBody::step() {
+  State& s = *state_;
+  const auto start = Clock::now();
+  StepResult result;
+  s.applyDue(&result);
+  result.phase_ms.cut = 1e3 * secondsSince(start);
+
+  s.before = s.motion;
+  const double dt = s.scene.solver.time_step, t = s.time();
+  if (!s.step.advance(t, dt, &s.motion) &&
+      !(s.step.advance(t, dt / 2, &s.motion) && s.step.advance(t + dt / 2, dt / 2, &s.motion))) {
+    s.motion = s.before;
+    throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
+                     " s failed, also in two halves: the system is not positive definite or a value is not finite");
+  }
+  ++s.steps;
+  result.iterations = s.step.stats().iterations;
+  result.residual = s.step.stats().residual;
+  result.phase_ms.assembly = s.step.times().assembly;
+  result.phase_ms.solve = s.step.times().solve;
+  result.phase_ms.update = s.step.times().update;
+  result.step_ms = 1e3 * secondsSince(start);
+  return result;
+}
+
+CutResult DeformableBody::cut(const CutPlane& plane) { return state_->cut(plane); }
+
+void DeformableBody::schedule(const ScheduledCut& cut) {
+  auto& scheduled = state_->scheduled;
+  const auto later = std::upper_bound(scheduled.begin(), scheduled.end(), cut.time,
+                                      [](double t, const ScheduledCut& other) { return t < other.time; });
+  scheduled.insert(later, cut);
+}
+
+std::optional<CutResult> DeformableBody::moveTool(const ToolPose& pose) { return state_->moveTool(pose); }
+
+std::optional<CutResult> DeformableBody::liftTool() {
+  state_->tool_pose.reset();
+  return state_->endStroke();
+}
+
+void DeformableBody::reset() {
+  state_->mesh = CutMesh(state_->mesh.mesh());
+  state_->step.reset();
+  state_->start();
+}
+
+const Scene& DeformableBody::scene() const { return state_->scene; }
+const CutMesh& DeformableBody::mesh() const { return state_->mesh; }
+std::int64_t DeformableBody::steps() const { return state_->steps; }
+double DeformableBody::time() const { return state_->time(); }
+const std::vector<Vec3>& DeformableBody::positions() const { return state_->motion.x; }
+const std::vector<Vec3>& DeformableBody::velocities() const { return state_->motion.v; }
+
+std::vector<Vec3> DeformableBody::nodePositions() const {
+  std::vector<Vec3> positions = state_->mesh.mesh().nodes;
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    if (const int own = state_->mesh.ownCopy(static_cast<int>(n)); own >= 0) positions[n] = state_->motion.x[own];
+  return positions;
+}
+
+BodyCounts DeformableBody::counts() const {
+  const CutMesh& mesh = state_->mesh;
+  BodyCounts counts;
+  counts.nodes = static_cast<int>(mesh.mesh().nodes.size());
+  counts.elements = static_cast<int>(mesh.mesh().elements.size());
+  counts.parts = static_cast<int>(mesh.parts().size());
+  for (int e = 0; e < counts.elements; ++e) counts.crack_elements += mesh.parts()[e].next >= 0;
+  counts.copies = mesh.numCopies();
+  counts.dofs = 3 * counts.copies;
+  counts.cracks = mesh.numCracks();
+  counts.pieces = state_->pieces;
+  return counts;
+}
+
+BodyMotion DeformableBody::motion() const {
+  const State& s = *state_;
+  const Assembly& assembly = s.step.assembly();
+  BodyMotion motion;
+  std::vector<Vec3> Mv;
+  assembly.multiplyMass(s.motion.v, &Mv);
+  for (int c = 0; c < s.mesh.numCopies(); ++c) {
+    motion.mass += assembly.masses()[c];
+    motion.momentum += Mv[c];
+    motion.kinetic_energy += 0.5 * s.motion.v[c].dot(Mv[c]);
+    motion.max_displacement =
+        std::max(motion.max_displacement, (s.motion.x[c] - s.mesh.mesh().nodes[s.mesh.copyNode(c)]).norm());
+  }
+  motion.elastic_energy = assembly.elasticEnergy(s.motion.x);
+  return motion;
+}
+
+std::vector<double> DeformableBody::pieceVolumes() const {
+  std::vector<double> volumes(state_->pieces, 0);
+  const std::vector<Part>& parts = state_->mesh.parts();
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    volumes[state_->piece[parts[p].copies[0]]] += state_->step.assembly().volume(static_cast<int>(p));
+  std::sort(volumes.begin(), volumes.end());
+  return volumes;
+}
+
+std::vector<Mat3> DeformableBody::partStress() const {
+  std::vector<Mat3> stress;
+  for (std::size_t p = 0; p < state_->mesh.parts().size(); ++p)
+    stress.push_back(state_->step.assembly().stress(static_cast<int>(p), state_->motion.x));
+  return stress;
+}
+
+const Surface& DeformableBody::surface() const {
+  if (state_->surface_version != state_->topology_version) {
+    state_->surface = buildSurface(state_->mesh);
+    state_->surface_version = state_->topology_version;
+  }
+  return state_->surface;
+}
+
+std::uint64_t DeformableBody::topologyVersion() const { return state_->topology_version; }
+
+std::uint64_t DeformableBody::stateHash() const {
+  const State& s = *state_;
+  Hash hash;
+  hash.add(&s.steps, 1);
+  for (const Part& part : s.mesh.parts()) hash.add(part.copies.data(), part.copies.size());
+  for (const auto* values : {&s.motion.x, &s.motion.v})
+    for (const Vec3& value : *values) hash.add(value.data(), 3);
+  return hash.value();
+}
+
+}  // namespace incision

@@ -1,0 +1,119 @@
+#include "incision/fem/assembly.h"
+
+#include <cassert>
+
+#include "incision/fem/parallel.h"
+#include "incision/fem/rotation.h"
+
+namespace incision {
+
+Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, bool warping, int threads)
+    : mesh_(mesh),
+      material_(material),
+      mass_(mass),
+      warping_(warping),
+      threads_(threads),
+      rest_(restElements(mesh.mesh())) {}
+
+void Assembly::topologyChanged(const std::vector<Vec3>& x) {
+  const std::vector<Part>& parts = mesh_.parts();
+  const int copies = mesh_.numCopies();
+  part_forces_.resize(parts.size());
+  masses_.assign(copies, 0);
+  corner_start_.assign(copies + 1, 0);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const Barycentric N = mesh_.centroid(static_cast<int>(p));
+    for (int I = 0; I < 4; ++I) {
+      masses_[parts[p].copies[I]] += material_.density * volume(static_cast<int>(p)) * N[I];
+      ++corner_start_[parts[p].copies[I] + 1];
+    }
+  }
+  for (int c = 0; c < copies; ++c) corner_start_[c + 1] += corner_start_[c];
+  corners_.resize(corner_start_.back());
+  std::vector<int> end(corner_start_.begin(), corner_start_.end() - 1);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (int I = 0; I < 4; ++I) corners_[end[parts[p].copies[I]]++] = {static_cast<int>(p), I};
+
+  const std::size_t known = rotations_.size();
+  rotations_.resize(parts.size(), Mat3::Identity());
+  if (!warping_) return;
+  for (std::size_t p = known; p < parts.size(); ++p)
+    rotations_[p] = polarRotation(gradientOf(static_cast<int>(p), x), rotations_[parts[p].element]);
+}
+
+void Assembly::rotate(const std::vector<Vec3>& x) {
+  if (!warping_) return;
+  parallelFor(static_cast<int>(rotations_.size()), threads_,
+              [&](int p) { rotations_[p] = polarRotation(gradientOf(p, x), rotations_[p]); });
+}
+
+void Assembly::resetRotations() { rotations_.assign(rotations_.size(), Mat3::Identity()); }
+
+// K_e is V_e Bᵀ D B, and B acts on R_pᵀ y − X through its gradient R_pᵀ F − I alone: the force on node I is V_p R σ
+// b_I.
+void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const {
+  parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
+    const Mat3& R = rotations_[p];
+    const Mat3 stress = corotatedStress(R.transpose() * gradientOf(p, y), material_);
+    part_forces_[p].noalias() = (volume(p) * R * stress) * rest_[mesh_.parts()[p].element].b;
+  });
+  gather(forces);
+}
+
+void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {
+  if (!consistentMass()) {
+    result->resize(w.size());
+    parallelFor(static_cast<int>(w.size()), threads_, [&](int c) { (*result)[c] = masses_[c] * w[c]; });
+    return;
+  }
+  parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
+    part_forces_[p].setZero();
+    for (int I = 0; I < 4; ++I)
+      for (int J = 0; J < 4; ++J) part_forces_[p].col(I) += massProduct(p, I, J) * w[mesh_.parts()[p].copies[J]];
+  });
+  gather(result);
+}
+
+void Assembly::gather(std::vector<Vec3>* result) const {
+  result->resize(masses_.size());
+  parallelFor(static_cast<int>(masses_.size()), threads_, [&](int c) {
+    Vec3 sum = Vec3::Zero();
+    for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k)
+      sum += part_forces_[corners_[k].part].col(corners_[k].node);
+    (*result)[c] = sum;
+  });
+}
+
+double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
+  double energy = 0;
+  for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
+    const Mat3 RtF = rotations_[p].transpose() * gradientOf(static_cast<int>(p), x);
+    const Mat3 strain = 0.5 * (RtF + RtF.transpose()) - Mat3::Identity();
+    energy += 0.5 * volume(static_cast<int>(p)) * corotatedStress(RtF, material_).cwiseProduct(strain).sum();
+  }
+  return energy;
+}
+
+Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
+  const Mat3& R = rotations_[part];
+  return R * corotatedStress(R.transpose() * gradientOf(part, x), material_) * R.transpose();
+}
+
+double Assembly::volume(int part) const {
+  return mesh_.parts()[part].fraction * rest_[mesh_.parts()[part].element].volume;
+}
+
+Gradients Assembly::rotatedGradients(int part) const { return rotations_[part] * rest_[mesh_.parts()[part].element].b; }
+
+double Assembly::massProduct(int part, int I, int J) const {
+  const double element_mass = material_.density * rest_[mesh_.parts()[part].element].volume;
+  if (mesh_.parts()[part].detail < 0) return element_mass * (I == J ? 2 : 1) / 20;
+  return element_mass * mesh_.detail(part).products(I, J);
+}
+
+Mat3 Assembly::gradientOf(int part, const std::vector<Vec3>& y) const {
+  const Part& p = mesh_.parts()[part];
+  return gradient(y[p.copies[0]], y[p.copies[1]], y[p.copies[2]], y[p.copies[3]], rest_[p.element].b);
+}
+
+}  // namespace incision

@@ -1,0 +1,91 @@
+#include "incision/fem/boundary.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace incision {
+namespace {
+
+template <typename Test>
+bool allNodes(const std::array<int, 4>& element, const std::array<int, 3>& face, const Test& test) {
+  return std::all_of(face.begin(), face.end(), [&](int I) { return test(element[I]); });
+}
+
+/// Corners of what a part owns of an element's face, as weights of the face's nodes; empty when it owns nothing.
+FacePolygon ownedFace(const CutMesh& mesh, int part, int face) {
+  FacePolygon polygon;
+  const Polytope& polytope = mesh.polytope(part);
+  const Facet* facet = polytope.onFace(face);
+  if (!facet) return polygon;
+  for (int c : facet->corners) {
+    const Barycentric& b = polytope.corners[c];
+    polygon.emplace_back(b[FACE_NODES[face][0]], b[FACE_NODES[face][1]], b[FACE_NODES[face][2]]);
+  }
+  return polygon;
+}
+
+/// Whether a part owns area of a boundary face, or volume of an element, all of whose nodes are held.
+bool ownsHeldMaterial(const CutMesh& mesh, const std::vector<int>& held_nodes, int part) {
+  const int e = mesh.parts()[part].element;
+  const auto& element = mesh.mesh().elements[e];
+  const auto held = [&](int node) { return held_nodes[node] >= 0; };
+  if (std::all_of(element.begin(), element.end(), held)) return true;
+  for (int f = 0; f < 4; ++f)
+    if (mesh.topology().neighbours[e][f] < 0 && allNodes(element, FACE_NODES[f], held) &&
+        faceShare(ownedFace(mesh, part, f)) > MIN_OVERLAP)
+      return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Hold>& holds) {
+  std::vector<int> held(mesh.nodes.size(), -1);
+  for (std::size_t n = 0; n < held.size(); ++n)
+    for (std::size_t h = 0; h < holds.size() && held[n] < 0; ++h)
+      if (holds[h].box.contains(mesh.nodes[n])) held[n] = static_cast<int>(h);
+  return held;
+}
+
+std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<int>& held_nodes) {
+  std::vector<int> held(mesh.numCopies(), -1);
+  for (std::size_t n = 0; n < held_nodes.size(); ++n)
+    if (held_nodes[n] >= 0 && mesh.ownCopy(static_cast<int>(n)) >= 0)
+      held[mesh.ownCopy(static_cast<int>(n))] = held_nodes[n];
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+    const Part& part = mesh.parts()[p];
+    const auto undecided = [&](int c) { return held[c] < 0 && held_nodes[mesh.copyNode(c)] >= 0; };
+    if (std::none_of(part.copies.begin(), part.copies.end(), undecided)) continue;
+    if (!ownsHeldMaterial(mesh, held_nodes, static_cast<int>(p))) continue;
+    for (int c : part.copies)
+      if (undecided(c)) held[c] = held_nodes[mesh.copyNode(c)];
+  }
+  return held;
+}
+
+std::vector<std::vector<Vec3>> loadForces(const CutMesh& mesh, const std::vector<Load>& loads) {
+  std::vector<std::vector<Vec3>> forces(loads.size(), std::vector<Vec3>(mesh.numCopies(), Vec3::Zero()));
+  if (loads.empty()) return forces;
+  const TetMesh& rest = mesh.mesh();
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+    const Part& part = mesh.parts()[p];
+    const auto& element = rest.elements[part.element];
+    for (int f = 0; f < 4; ++f) {
+      if (mesh.topology().neighbours[part.element][f] >= 0) continue;
+      const auto& nodes = FACE_NODES[f];
+      const FacePolygon owned = ownedFace(mesh, static_cast<int>(p), f);
+      if (owned.empty()) continue;
+      const Vec3 &A = rest.nodes[element[nodes[0]]], &B = rest.nodes[element[nodes[1]]],
+                 &C = rest.nodes[element[nodes[2]]];
+      const double area = 0.5 * (B - A).cross(C - A).norm() * faceShare(owned);
+      const FacePoint N = centroid(owned);
+      for (std::size_t l = 0; l < loads.size(); ++l) {
+        if (!allNodes(element, nodes, [&](int n) { return loads[l].box.contains(rest.nodes[n]); })) continue;
+        for (int i = 0; i < 3; ++i) forces[l][part.copies[nodes[i]]] += N[i] * area * loads[l].traction;
+      }
+    }
+  }
+  return forces;
+}
+
+}  // namespace incision

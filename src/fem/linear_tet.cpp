@@ -1,0 +1,22 @@
+#include "incision/fem/linear_tet.h"
+
+#include <Eigen/LU>
+
+namespace incision {
+
+std::vector<RestElement> restElements(const TetMesh& mesh) {
+  std::vector<RestElement> rest(mesh.elements.size());
+  for (std::size_t e = 0; e < rest.size(); ++e) {
+    const auto& nodes = mesh.elements[e];
+    Mat3 Dm;
+    for (int k = 0; k < 3; ++k) Dm.col(k) = mesh.nodes[nodes[k + 1]] - mesh.nodes[nodes[0]];
+    // N_1, N_2, N_3 are the affine coordinates D_m⁻¹ (X − X_0), and N_0 is what they lack of 1.
+    const Mat3 inverse = Dm.inverse();
+    rest[e].b.rightCols<3>() = inverse.transpose();
+    rest[e].b.col(0) = -inverse.transpose().rowwise().sum();
+    rest[e].volume = Dm.determinant() / 6;
+  }
+  return rest;
+}
+
+}  // namespace incision

@@ -1,0 +1,123 @@
+#include "incision/solver/implicit_step.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "incision/fem/parallel.h"
+
+namespace incision {
+namespace {
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool allFinite(const std::vector<Vec3>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
+}
+
+}  // namespace
+
+ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, bool warping,
+                           const BoundaryConditions& conditions, const SolverSettings& settings)
+    : mesh_(mesh),
+      conditions_(conditions),
+      settings_(settings),
+      assembly_(mesh, material, mass, warping, settings.threads),
+      solver_(makeLinearSolver(settings, mesh.numCopies())),
+      held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
+
+void ImplicitStep::topologyChanged(const Motion& motion) {
+  assembly_.topologyChanged(motion.x);
+  held_ = heldCopies(mesh_, held_nodes_);
+  load_forces_ = loadForces(mesh_, conditions_.loads);
+  const int known = static_cast<int>(dv_.size());
+  dv_.resize(mesh_.numCopies(), Vec3::Zero());
+  for (int c = known; c < mesh_.numCopies(); ++c) dv_[c] = dv_[mesh_.copyParent(c)];
+  topology_known_ = false;
+}
+
+void ImplicitStep::reset() {
+  assembly_.resetRotations();
+  dv_.assign(dv_.size(), Vec3::Zero());
+  topology_known_ = false;
+}
+
+bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
+  const auto start = std::chrono::steady_clock::now();
+  assembly_.rotate(motion->x);
+  prepareMatrix(time_step, *motion);
+  times_.assembly = millisecondsSince(start);
+  if (!matrix_known_) return false;
+
+  const auto solving = std::chrono::steady_clock::now();
+  externalForces(time + time_step);
+  for (int c = 0; c < mesh_.numCopies(); ++c)
+    if (held_[c] >= 0) dv_[c] = conditions_.holds[held_[c]].velocity - motion->v[c];
+  stats_ = solver_->solve(
+      [&](const std::vector<Vec3>& dv, std::vector<Vec3>* r) { residual(time_step, *motion, dv, r); }, &dv_);
+  times_.solve = millisecondsSince(solving);
+
+  const auto updating = std::chrono::steady_clock::now();
+  if (!allFinite(dv_)) {
+    dv_.assign(dv_.size(), Vec3::Zero());
+    return false;
+  }
+  for (int c = 0; c < mesh_.numCopies(); ++c) {
+    motion->v[c] += dv_[c];
+    motion->x[c] += time_step * motion->v[c];
+  }
+  times_.update = millisecondsSince(updating);
+  return true;
+}
+
+void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
+  const bool same_factors = topology_known_ && time_step == matrix_time_step_;
+  if (!same_factors) {
+    const Material& material = assembly_.material();
+    std::vector<bool> held(held_.size());
+    for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
+    int pieces = 0;
+    solver_->topologyChanged(
+        assembly_, held, mesh_.copyPieces(&pieces),
+        {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
+    topology_known_ = true;
+    matrix_time_step_ = time_step;
+  } else if (matrix_known_ && !assembly_.warping()) {
+    return;
+  }
+  matrix_known_ = solver_->matrixChanged(motion.x);
+}
+
+/// M g and the tractions, as they stand at the end of the step.
+void ImplicitStep::externalForces(double time) {
+  external_.resize(mesh_.numCopies());
+  for (int c = 0; c < mesh_.numCopies(); ++c) external_[c] = assembly_.masses()[c] * conditions_.gravity;
+  for (std::size_t l = 0; l < load_forces_.size(); ++l) {
+    const double ramp = conditions_.loads[l].ramp;
+    const double share = ramp > 0 ? std::min(1.0, time / ramp) : 1;
+    for (int c = 0; c < mesh_.numCopies(); ++c) external_[c] += share * load_forces_[l][c];
+  }
+}
+
+// The right-hand side less the left at a trial Δv, gathered so that the elements are visited once: as f(y) = f_int + K
+// (y − x) is affine in y with slope K,
+//   r = Δt f_ext − M (Δv + α Δt (v + Δv)) − Δt f(x + (Δt + β)(v + Δv)).
+void ImplicitStep::residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
+  const double alpha = assembly_.material().mass_damping, beta = assembly_.material().stiffness_damping;
+  const int copies = mesh_.numCopies();
+  y_.resize(copies);
+  w_.resize(copies);
+  r->resize(copies);
+  parallelFor(copies, settings_.threads, [&](int c) {
+    const Vec3 next_v = motion.v[c] + dv[c];
+    y_[c] = motion.x[c] + (time_step + beta) * next_v;
+    w_[c] = dv[c] + alpha * time_step * next_v;
+  });
+  assembly_.elasticForces(y_, &forces_);
+  assembly_.multiplyMass(w_, &inertia_);
+  parallelFor(copies, settings_.threads,
+              [&](int c) { (*r)[c] = time_step * (external_[c] - forces_[c]) - inertia_[c]; });
+}
+
+}  // namespace incision
