@@ -84,19 +84,24 @@ void Assembly::gather(std::vector<Vec3>* result) const {
   });
 }
 
+Mat3 Assembly::rotationAt(int part, const Mat3& F) const {
+  return warping_ ? polarRotation(F, rotations_[part]) : Mat3::Identity();
+}
+
 double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
   double energy = 0;
   for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
-    const Mat3 RtF = rotations_[p].transpose() * gradientOf(static_cast<int>(p), x);
+    const int part = static_cast<int>(p);
+    const Mat3 F = gradientOf(part, x), RtF = rotationAt(part, F).transpose() * F;
     const Mat3 strain = 0.5 * (RtF + RtF.transpose()) - Mat3::Identity();
-    energy += 0.5 * volume(static_cast<int>(p)) * corotatedStress(RtF, material_).cwiseProduct(strain).sum();
+    energy += 0.5 * volume(part) * corotatedStress(RtF, material_).cwiseProduct(strain).sum();
   }
   return energy;
 }
 
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
-  const Mat3& R = rotations_[part];
-  return R * corotatedStress(R.transpose() * gradientOf(part, x), material_) * R.transpose();
+  const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
+  return R * corotatedStress(R.transpose() * F, material_) * R.transpose();
 }
 
 double Assembly::volume(int part) const {

@@ -34,10 +34,10 @@ class Assembly {
   /// M w at every copy.
   void multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const;
 
-  /// Σ_p V_p ½ σ:ε [J].
+  /// Σ_p V_p ½ σ:ε [J], with the rotations that belong to `x`.
   double elasticEnergy(const std::vector<Vec3>& x) const;
 
-  /// R_p σ R_pᵀ [Pa].
+  /// Cauchy stress R_p σ R_pᵀ [Pa], with the rotation that belongs to `x`.
   Mat3 stress(int part, const std::vector<Vec3>& x) const;
 
   const CutMesh& mesh() const { return mesh_; }
@@ -58,6 +58,7 @@ class Assembly {
 
  private:
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
+  Mat3 rotationAt(int part, const Mat3& F) const;
   void gather(std::vector<Vec3>* result) const;
 
   const CutMesh& mesh_;
