@@ -2,7 +2,7 @@
 # - test/<stage>/*_test.cpp: GoogleTest, one program a stage. Full are the tests whose suite or name starts with
 #   "Full" and all of *_full_test.cpp.
 # - test/ros/*.test: rostest. Full are *_full.test.
-# - test/fuzz/*_fuzzer.cpp: libFuzzer, built with INCISION_FUZZ.
+# - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>/.
 if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
   return()
 endif()
@@ -68,13 +68,21 @@ if(INCISION_ROS)
 endif()
 
 if(INCISION_FUZZ)
+  set(INCISION_FUZZ_SECONDS 20 CACHE STRING "How long ctest runs each fuzzer [s]")
   file(GLOB fuzzers CONFIGURE_DEPENDS test/fuzz/*_fuzzer.cpp)
   foreach(file IN LISTS fuzzers)
-    get_filename_component(name ${file} NAME_WE)
-    add_executable(${name} EXCLUDE_FROM_ALL ${file})
-    incision_compile(${name})
-    target_link_libraries(${name} PRIVATE incision)
-    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
-    add_dependencies(tests ${name})
+    get_filename_component(program ${file} NAME_WE)
+    string(REGEX REPLACE "_fuzzer$" "" name ${program})
+    add_executable(${program} EXCLUDE_FROM_ALL ${file})
+    incision_compile(${program})
+    target_link_libraries(${program} PRIVATE incision)
+    target_link_options(${program} PRIVATE -fsanitize=fuzzer)
+    add_dependencies(tests ${program})
+    # What the fuzzer finds goes to the first folder, which is not in the source tree.
+    file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/corpus/${name}")
+    add_test(NAME quick.fuzz.${name}
+      COMMAND ${program} -max_total_time=${INCISION_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
+        corpus/${name} "${PROJECT_SOURCE_DIR}/test/fuzz/${name}")
+    set_tests_properties(quick.fuzz.${name} PROPERTIES LABELS quick TIMEOUT 300)
   endforeach()
 endif()
