@@ -61,9 +61,9 @@ if(INCISION_ROS)
     if(name MATCHES "_full$")
       set(label full)
     endif()
-    add_test(NAME ${label}.ros.${name} COMMAND "${CATKIN_DEVEL_PREFIX}/env.sh" rostest --text ${file})
+    add_test(NAME ${label}.ros.${name} COMMAND "${CATKIN_DEVEL_PREFIX}/env.sh" rostest ${file})
     set_tests_properties(${label}.ros.${name} PROPERTIES
-      LABELS ${label} RUN_SERIAL ON TIMEOUT 300 ENVIRONMENT "ROS_IP=127.0.0.1")
+      LABELS ${label} RUN_SERIAL ON TIMEOUT 300 ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
   endforeach()
 endif()
 
