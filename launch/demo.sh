@@ -61,7 +61,7 @@ start_display() {
   export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1 XDG_RUNTIME_DIR="$run/xdg"
 }
 
-# Waits for the summary, then for rviz to have drawn: a screen without it has few colours.
+# Waits for the summary, then for rviz: a screen without its window has few colours, and the window comes before the body.
 take_picture() {
   local end=$((SECONDS + PICTURE_TIMEOUT))
   while ((SECONDS < end)) && kill -0 "$roslaunch" 2>/dev/null; do
@@ -69,6 +69,8 @@ take_picture() {
     grep -q "$SUMMARY" "$run/log" || continue
     import -window root "$run/picture.png"
     (($(identify -format %k "$run/picture.png") > 100)) || continue
+    sleep 3
+    import -window root "$run/picture.png"
     mkdir -p "$(dirname "$picture")"
     mv "$run/picture.png" "$picture"
     echo "The picture is in $picture"

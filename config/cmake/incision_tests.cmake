@@ -2,6 +2,7 @@
 # - test/<stage>/*_test.cpp: GoogleTest, one program a stage. Full are the tests whose suite or name starts with
 #   "Full" and all of *_full_test.cpp.
 # - test/ros/*.test: rostest. Full are *_full.test.
+# - the sources: what includes what, their format, catkin_lint.
 # - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>/.
 if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
   return()
@@ -65,6 +66,23 @@ if(INCISION_ROS)
     set_tests_properties(${label}.ros.${name} PROPERTIES
       LABELS ${label} RUN_SERIAL ON TIMEOUT 300 ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
   endforeach()
+endif()
+
+# Checks of the sources, of which a program that is not installed drops out.
+function(incision_source_check name program)
+  if(${program})
+    add_test(NAME quick.sources.${name} COMMAND ${${program}} ${ARGN} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    set_tests_properties(quick.sources.${name} PROPERTIES LABELS quick)
+  endif()
+endfunction()
+
+if(INCISION_ROS)
+  find_program(CLANG_FORMAT clang-format-14)
+  find_program(CATKIN_LINT catkin_lint)
+  file(GLOB_RECURSE formatted CONFIGURE_DEPENDS include/*.h src/*.h src/*.cpp test/*.h test/*.cpp)
+  incision_source_check(shape PYTHON_EXECUTABLE test/check_sources.py)
+  incision_source_check(format CLANG_FORMAT --dry-run -Werror ${formatted})
+  incision_source_check(catkin_lint CATKIN_LINT -W1 --strict --ignore package_path_name .)
 endif()
 
 if(INCISION_FUZZ)
