@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAGES = ['mesh', 'cut', 'surface', 'fem', 'solver', 'fracture', 'contact', 'tool', 'body', 'ros']
 
 # Libraries whose headers lie in folders and that the core may use. No ROS among them.
-CORE_FOLDERS = {'Eigen', 'nlohmann', 'sys', 'urdf_model', 'urdf_parser', 'yaml-cpp'}
+CORE_FOLDERS = {'Eigen', 'console_bridge', 'nlohmann', 'sys', 'urdf_model', 'urdf_parser', 'yaml-cpp'}
 
 TOP_LEVEL = {'include', 'src', 'msg', 'config', 'launch', 'test', 'README.md', 'LICENSE', 'CMakeLists.txt',
              'package.xml', 'build'}
