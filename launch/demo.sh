@@ -61,7 +61,7 @@ start_display() {
   export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1 XDG_RUNTIME_DIR="$run/xdg"
 }
 
-# Waits for the summary, then for rviz: a screen without its window has few colours, and the window comes before the body.
+# Waits for the summary, then for rviz: a screen without its window has few colours. The window comes before the body.
 take_picture() {
   local end=$((SECONDS + PICTURE_TIMEOUT))
   while ((SECONDS < end)) && kill -0 "$roslaunch" 2>/dev/null; do

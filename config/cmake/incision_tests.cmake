@@ -64,7 +64,8 @@ if(INCISION_ROS)
     endif()
     add_test(NAME ${label}.ros.${name} COMMAND "${CATKIN_DEVEL_PREFIX}/env.sh" rostest ${file})
     set_tests_properties(${label}.ros.${name} PROPERTIES
-      LABELS ${label} RUN_SERIAL ON TIMEOUT 300 ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
+      LABELS ${label} RUN_SERIAL ON TIMEOUT 300
+      ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
   endforeach()
 endif()
 
