@@ -1,0 +1,29 @@
+# How our own targets are compiled: optimised unless asked otherwise, with warnings.
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+set(BUILD_SHARED_LIBS ON)
+
+add_library(incision_flags INTERFACE)
+target_compile_features(incision_flags INTERFACE cxx_std_17)
+target_compile_options(incision_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow
+  $<$<BOOL:${INCISION_WERROR}>:-Werror>)
+
+# These change the layout of Eigen's types or what is linked, so they hold for every target, not only for ours.
+if(INCISION_NATIVE)
+  add_compile_options(-march=native)
+endif()
+if(INCISION_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(INCISION_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
+function(incision_compile target)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:incision_flags>)
+endfunction()

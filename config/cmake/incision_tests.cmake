@@ -1,0 +1,107 @@
+# Tests, all run by ctest and labelled `quick` or `full`; the target `tests` builds them.
+# - test/<stage>/*_test.cpp: GoogleTest, one program a stage. Full are the tests whose suite or name starts with
+#   "Full" and all of *_full_test.cpp.
+# - test/ros/*.test: rostest. Full are *_full.test.
+# - the sources: what includes what, their format, catkin_lint.
+# - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>/.
+if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
+  return()
+endif()
+enable_testing()
+if(NOT TARGET tests)
+  add_custom_target(tests)
+endif()
+
+if(NOT TARGET GTest::gtest_main)
+  find_package(GTest REQUIRED)
+endif()
+include(GoogleTest)
+
+function(incision_discover target label filter)
+  gtest_discover_tests(${target}
+    TEST_PREFIX "${label}." TEST_FILTER "${filter}" DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${label} TIMEOUT 900)
+endfunction()
+
+# One program from the given files, linked with a library of ours.
+function(incision_test_program name library)
+  add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
+  incision_compile(${name})
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")
+  target_link_libraries(${name} PRIVATE ${library} nlohmann_json::nlohmann_json GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_dependencies(tests ${name})
+endfunction()
+
+function(incision_stage_tests stage library)
+  file(GLOB files CONFIGURE_DEPENDS test/${stage}/*_test.cpp)
+  set(full_files ${files})
+  list(FILTER full_files INCLUDE REGEX "_full_test\\.cpp$")
+  list(FILTER files EXCLUDE REGEX "_full_test\\.cpp$")
+  if(files)
+    incision_test_program(${stage}_tests ${library} ${files})
+    incision_discover(${stage}_tests quick "-Full*:*.Full*")
+    incision_discover(${stage}_tests full "Full*:*.Full*")
+  endif()
+  if(full_files)
+    incision_test_program(${stage}_full_tests ${library} ${full_files})
+    incision_discover(${stage}_full_tests full "*")
+  endif()
+endfunction()
+
+foreach(stage IN LISTS STAGES)
+  incision_stage_tests(${stage} incision)
+endforeach()
+
+if(INCISION_ROS)
+  incision_stage_tests(ros incision_ros)
+  file(GLOB rostests CONFIGURE_DEPENDS test/ros/*.test)
+  foreach(file IN LISTS rostests)
+    get_filename_component(name ${file} NAME_WE)
+    set(label quick)
+    if(name MATCHES "_full$")
+      set(label full)
+    endif()
+    add_test(NAME ${label}.ros.${name} COMMAND "${CATKIN_DEVEL_PREFIX}/env.sh" rostest ${file})
+    set_tests_properties(${label}.ros.${name} PROPERTIES
+      LABELS ${label} RUN_SERIAL ON TIMEOUT 300
+      ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
+  endforeach()
+endif()
+
+# Checks of the sources, of which a program that is not installed drops out.
+function(incision_source_check name program)
+  if(${program})
+    add_test(NAME quick.sources.${name} COMMAND ${${program}} ${ARGN} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    set_tests_properties(quick.sources.${name} PROPERTIES LABELS quick)
+  endif()
+endfunction()
+
+if(INCISION_ROS)
+  find_program(CLANG_FORMAT clang-format-14)
+  find_program(CATKIN_LINT catkin_lint)
+  file(GLOB_RECURSE formatted CONFIGURE_DEPENDS include/*.h src/*.h src/*.cpp test/*.h test/*.cpp)
+  incision_source_check(shape PYTHON_EXECUTABLE test/check_sources.py)
+  incision_source_check(format CLANG_FORMAT --dry-run -Werror ${formatted})
+  incision_source_check(catkin_lint CATKIN_LINT -W1 --strict --ignore package_path_name .)
+endif()
+
+if(INCISION_FUZZ)
+  set(INCISION_FUZZ_SECONDS 20 CACHE STRING "How long ctest runs each fuzzer [s]")
+  file(GLOB fuzzers CONFIGURE_DEPENDS test/fuzz/*_fuzzer.cpp)
+  foreach(file IN LISTS fuzzers)
+    get_filename_component(program ${file} NAME_WE)
+    string(REGEX REPLACE "_fuzzer$" "" name ${program})
+    add_executable(${program} EXCLUDE_FROM_ALL ${file})
+    incision_compile(${program})
+    target_link_libraries(${program} PRIVATE incision)
+    target_link_options(${program} PRIVATE -fsanitize=fuzzer)
+    add_dependencies(tests ${program})
+    # What the fuzzer finds goes to the first folder, which is not in the source tree.
+    file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/corpus/${name}")
+    add_test(NAME quick.fuzz.${name}
+      COMMAND ${program} -max_total_time=${INCISION_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
+        corpus/${name} "${PROJECT_SOURCE_DIR}/test/fuzz/${name}")
+    set_tests_properties(quick.fuzz.${name} PROPERTIES LABELS quick TIMEOUT 300)
+  endforeach()
+endif()

@@ -1,0 +1,57 @@
+# Shared by launch/demo.sh and test/run.sh, which source it: packages, build, ROS environment.
+ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+BUILD="$ROOT/build"
+
+fail() {
+  echo "$(basename "$0"): $*" >&2
+  exit 1
+}
+
+# Installs those packages of config/packages.txt that are missing: `run`, or `test` for all of them.
+install_packages() {
+  local wanted missing=() package sudo=()
+  wanted=$(awk -v kind="$1" '/^# test:/ { if (kind == "run") exit } /^[a-z]/' "$ROOT/config/packages.txt")
+  for package in $wanted; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
+  done
+  ((${#missing[@]})) || return 0
+
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null || fail "these packages are missing, and only root can install them: ${missing[*]}"
+    sudo=(sudo)
+    # Without a terminal sudo cannot ask for a password.
+    [[ -t 0 ]] || sudo+=(-n)
+    "${sudo[@]}" true || fail "these packages are missing, and sudo was refused: ${missing[*]}"
+  fi
+  echo "Installing ${#missing[@]} missing packages: ${missing[*]}"
+  "${sudo[@]}" apt-get update -q
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null
+}
+
+# configure FOLDER [-DOPTION=VALUE]...: configures a build folder unless it was configured with these options before.
+configure() {
+  local folder="$1" stamp="$1/.configured_with"
+  shift
+  [[ -f $folder/CMakeCache.txt && $(cat "$stamp" 2>/dev/null) == "$*" ]] && return
+  cmake -S "$ROOT" -B "$folder" "$@"
+  echo "$*" >"$stamp"
+}
+
+# compile FOLDER TARGET...: make finds out by itself what is out of date.
+compile() {
+  local folder="$1"
+  shift
+  cmake --build "$folder" --parallel "$(nproc)" --target "$@"
+}
+
+# Makes this shell see the build, and a ROS master of its own on this machine only.
+enter_ros() {
+  local port
+  set +u
+  source "$BUILD/devel/setup.bash"
+  set -u
+  port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+  unset ROS_HOSTNAME
+  export ROS_IP=127.0.0.1 ROS_MASTER_URI="http://127.0.0.1:$port"
+}
