@@ -31,8 +31,7 @@ ThruSections(1) = {1 : SECTIONS};
 
 Physical Volume("organ", 1) = {1};
 
-Mesh.MeshSizeMin = 0.0073;
-Mesh.MeshSizeMax = 0.0073;
-Mesh.Algorithm3D = 10;   // HXT leaves the better elements here
+Mesh.MeshSizeMin = 0.0077;
+Mesh.MeshSizeMax = 0.0077;
 Mesh.Optimize = 1;
 Mesh.SaveAll = 0;     // only the tetrahedra of the volume
