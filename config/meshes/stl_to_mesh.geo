@@ -2,7 +2,7 @@
 // size of the elements, and run
 //   gmsh -3 -format msh22 stl_to_mesh.geo -o body.msh
 Merge "surface.stl";
-UNIT = 1;                    // metres in a unit of the STL file: 0.001 for millimetres
+UNIT = 1;                // metres in a unit of the STL file: 0.001 for millimetres
 ELEMENT_SIZE = 0.008;    // edge length of the elements [m]
 
 // The triangles become smooth patches, divided where they meet at more than 40 degrees, and are then meshed anew.
