@@ -187,7 +187,7 @@ void readGmshSections(LineReader& reader, MeshBuilder& builder) {
       continue;
     }
     if (done == needed.size() || section != needed[done])
-      reader.fail(section + " in the wrong place or given twice: the order is $MeshFormat, $Nodes, $Elements");
+      reader.fail(section + " is given twice or out of order: it must be $MeshFormat, $Nodes, $Elements, once each");
     ++done;
     if (section == "$MeshFormat")
       version = readFormat(reader);

@@ -83,7 +83,8 @@ void MeshBuilder::checkDuplicates() const {
       std::adjacent_find(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
   if (same != sorted.end())
     reader_.failAt(std::next(same)->second,
-                   "the element has the same four nodes as the one in line " + std::to_string(same->second));
+                   "the element has the same four nodes as the one in line " + std::to_string(same->second) +
+                       " (Gmsh 2.2 files hold an element once for each physical group it is in: save but one)");
 }
 
 void MeshBuilder::checkTopology() const {
