@@ -83,7 +83,8 @@ TetMesh gridMesh(const GridSettings& grid) {
   }
   for (const auto& n : mesh.elements)
     if (isDegenerate(mesh.nodes[n[0]], mesh.nodes[n[1]], mesh.nodes[n[2]], mesh.nodes[n[3]]))
-      throw InputError("grid.size: the cells are too thin for their length or for their distance from the origin");
+      throw InputError(
+          "grid.size: the cells are too small, or too thin for their length or their distance from the origin");
   return mesh;
 }
 

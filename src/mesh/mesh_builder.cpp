@@ -42,7 +42,7 @@ void MeshBuilder::addTetrahedron(std::int64_t tag, const std::array<std::int64_t
   const auto& [a, b, c, d] = nodes;
   const std::vector<Vec3>& X = mesh_.nodes;
   if (isDegenerate(X[a], X[b], X[c], X[d]))
-    reader_.fail("element " + std::to_string(tag) + " is degenerate: it has no volume to speak of for its edges");
+    reader_.fail("element " + std::to_string(tag) + " is degenerate: it is flat, or smaller than 1e-12 m");
   if (sixVolumes(X[a], X[b], X[c], X[d]) < 0) {
     std::swap(nodes[2], nodes[3]);
     ++repairs_.reoriented;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t MAX_FILE_BYTES = std::size_t{1} << 30;
 
 std::string readAll(std::istream& in, const std::string& name) {
-  constexpr std::size_t CHUNK_BYTES = std::size_t{1} << 20;
+  constexpr std::size_t CHUNK_BYTES = std::size_t{1} << 16;
   std::string text;
   do {
     const std::size_t size = text.size();

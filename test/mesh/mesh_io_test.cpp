@@ -155,6 +155,13 @@ TEST(MeshIo, SlenderElementsAreAcceptedAndFlatOnesRefused) {
               "a.msh:20: element 1 is degenerate: it ");
 }
 
+TEST(MeshIo, ElementsTooSmallForTheirVolumeToBeANumberAreRefused) {
+  std::string text = replaced(V2_2, "20 1 0 0", "20 1e-108 0 0");
+  text = replaced(text, "30 0 1 0", "30 0 1e-108 0");
+  text = replaced(text, "4000000000000 0 0 1", "4000000000000 0 0 1e-107");
+  EXPECT_EQ(errorOf(text).substr(0, 37), "a.msh:20: element 1 is degenerate: it");
+}
+
 TEST(MeshIo, TheFormatMustBeOneThatIsRead) {
   expectErrors(V2_2, {{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "", "a.msh:5: $Nodes is given twice or out of order"},
                       {"$MeshFormat", "# vtk DataFile", "a.msh:1: expected a section of a Gmsh ASCII file"},
