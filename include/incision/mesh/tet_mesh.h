@@ -2,7 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <string>
 #include <vector>
+
+#include "incision/mesh/input_error.h"
 
 namespace incision {
 
@@ -29,7 +32,14 @@ struct MeshTopology {
   std::vector<int> star_start, star;
 };
 
-/// Throws InputError when a face belongs to more than two elements.
+/// Elements that do not fit together at a face they share.
+class TopologyError : public InputError {
+ public:
+  TopologyError(const std::string& reason, int last_element) : InputError(reason), element(last_element) {}
+  const int element;  ///< the last of the elements at that face
+};
+
+/// Throws TopologyError when a face belongs to more than two elements, or to two that lie on the same side of it.
 MeshTopology buildTopology(const TetMesh& mesh);
 
 /// Six times the signed volume [m³] of a tetrahedron.

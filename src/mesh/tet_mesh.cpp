@@ -1,0 +1,132 @@
+#include "incision/mesh/tet_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace incision {
+namespace {
+
+/// A face of an element, its nodes in ascending order: the lowest one is known by where the face is stored.
+struct Face {
+  int middle, highest;
+  int element;
+  int local;
+  bool even;  ///< the ascending order runs counter-clockwise seen from outside the element
+};
+
+bool sameNodes(const Face& a, const Face& b) { return a.middle == b.middle && a.highest == b.highest; }
+
+/// Face `local` of an element and its lowest node.
+std::pair<int, Face> faceOf(const std::array<int, 4>& nodes, int element, int local) {
+  std::array<int, 3> n;
+  for (int i = 0; i < 3; ++i) n[i] = nodes[FACE_NODES[local][i]];
+  bool even = true;
+  const auto order = [&](int i, int j) {
+    if (n[i] < n[j]) return;
+    std::swap(n[i], n[j]);
+    even = !even;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return {n[0], Face{n[1], n[2], element, local, even}};
+}
+
+/// Where the items of each bucket start when they are laid out one bucket after another, from the buckets' counts.
+void countsToStarts(std::vector<int>& counts) {
+  int next = 0;
+  for (int& count : counts) next += std::exchange(count, next);
+}
+
+[[noreturn]] void failAtFace(int lowest, const Face* first, const Face* last, const std::string& what) {
+  std::string elements;
+  for (const Face* face = first; face != last; ++face) elements += std::to_string(face->element) + " ";
+  throw TopologyError("elements " + elements + what + " the face of nodes " + std::to_string(lowest) + " " +
+                          std::to_string(first->middle) + " " + std::to_string(first->highest) + " (counted from 0)",
+                      (last - 1)->element);
+}
+
+/// Makes neighbours of the elements at every face in [first, last), which have their lowest node in common.
+void joinFaces(int lowest, Face* first, Face* last, std::vector<std::array<int, 4>>& neighbours) {
+  std::sort(first, last, [](const Face& a, const Face& b) {
+    return std::tie(a.middle, a.highest, a.element) < std::tie(b.middle, b.highest, b.element);
+  });
+  while (first != last) {
+    Face* const next = std::find_if(first, last, [&](const Face& face) { return !sameNodes(face, *first); });
+    if (next - first > 2) failAtFace(lowest, first, next, "share");
+    if (next - first == 2) {
+      const Face& a = first[0];
+      const Face& b = first[1];
+      if (a.even == b.even) failAtFace(lowest, first, next, "overlap: they lie on the same side of");
+      neighbours[a.element][a.local] = b.element;
+      neighbours[b.element][b.local] = a.element;
+    }
+    first = next;
+  }
+}
+
+/// Sorts the faces into buckets by their lowest node, so that only few faces must be compared with each other.
+std::vector<std::array<int, 4>> findNeighbours(const TetMesh& mesh) {
+  const int n_elements = static_cast<int>(mesh.elements.size());
+  std::vector<int> start(mesh.nodes.size() + 1, 0);
+  for (int e = 0; e < n_elements; ++e)
+    for (int f = 0; f < 4; ++f) ++start[faceOf(mesh.elements[e], e, f).first];
+  countsToStarts(start);
+
+  std::vector<Face> faces(4 * mesh.elements.size());
+  std::vector<int> end = start;
+  for (int e = 0; e < n_elements; ++e) {
+    for (int f = 0; f < 4; ++f) {
+      const auto [lowest, face] = faceOf(mesh.elements[e], e, f);
+      faces[end[lowest]++] = face;
+    }
+  }
+
+  std::vector<std::array<int, 4>> neighbours(mesh.elements.size(), {-1, -1, -1, -1});
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+    joinFaces(static_cast<int>(n), faces.data() + start[n], faces.data() + end[n], neighbours);
+  return neighbours;
+}
+
+}  // namespace
+
+MeshTopology buildTopology(const TetMesh& mesh) {
+  MeshTopology topology;
+  topology.neighbours = findNeighbours(mesh);
+
+  topology.star_start.assign(mesh.nodes.size() + 1, 0);
+  for (const auto& element : mesh.elements)
+    for (int n : element) ++topology.star_start[n];
+  countsToStarts(topology.star_start);
+
+  topology.star.resize(4 * mesh.elements.size());
+  std::vector<int> end = topology.star_start;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (int n : mesh.elements[e]) topology.star[end[n]++] = static_cast<int>(e);
+  return topology;
+}
+
+double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).dot((c - a).cross(d - a));
+}
+
+double elementVolume(const TetMesh& mesh, int e) {
+  const auto& n = mesh.elements[e];
+  return sixVolumes(mesh.nodes[n[0]], mesh.nodes[n[1]], mesh.nodes[n[2]], mesh.nodes[n[3]]) / 6;
+}
+
+std::vector<double> shortestEdges(const TetMesh& mesh) {
+  std::vector<double> shortest(mesh.nodes.size(), std::numeric_limits<double>::infinity());
+  for (const auto& element : mesh.elements) {
+    for (const auto& [i, j] : EDGE_NODES) {
+      const double length = (mesh.nodes[element[i]] - mesh.nodes[element[j]]).norm();
+      for (int n : {element[i], element[j]}) shortest[n] = std::min(shortest[n], length);
+    }
+  }
+  return shortest;
+}
+
+}  // namespace incision
