@@ -19,8 +19,9 @@ double vonMises(const Mat3& stress) {
 template <class Write>
 void writeArray(std::ostream& out, const char* type, const char* name, int components, std::size_t count,
                 const Write& write) {
-  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
-      << "\" format=\"ascii\">\n";
+  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"ascii\"";
+  if (components > 1) out << " NumberOfComponents=\"" << components << '"';
+  out << ">\n";
   for (std::size_t i = 0; i < count; ++i) {
     write(i);
     out << '\n';
@@ -43,7 +44,8 @@ void writeGeometry(std::ostream& out, const Surface& surface, const std::vector<
 void writeCellData(std::ostream& out, const DeformableBody& body) {
   const Surface& surface = body.surface();
   const std::vector<Mat3> stress = body.partStress();
-  const std::vector<int> pieces = body.mesh().copyPieces(nullptr);
+  int num_pieces = 0;
+  const std::vector<int> pieces = body.mesh().copyPieces(&num_pieces);
   const std::vector<Part>& parts = body.mesh().parts();
   const std::size_t n = surface.triangles.size();
   const auto part = [&](std::size_t i) { return static_cast<std::size_t>(surface.part[i]); };
