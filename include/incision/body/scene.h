@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +21,16 @@ class Node;
 namespace incision {
 
 struct BodySettings {
-  std::string mesh;                  ///< file, package:// address or absolute path; or
+  std::string mesh;                  ///< absolute path of a file; or
   std::optional<GridSettings> grid;  ///< exactly one of the two is given
   std::string frame = "body";        ///< tf frame of the body's coordinates
   Material material;
   bool warping = true;
   Mass mass = Mass::LUMPED;
 };
+
+/// Longest label of a cut, in bytes of UTF-8: labels go into reports and logs, where a line must stay a line.
+inline constexpr std::size_t MAX_LABEL = 64;
 
 struct ScheduledCut {
   double time = 0;  ///< takes effect before the step that starts at the first k Δt ≥ time
@@ -47,7 +51,8 @@ struct Scene {
 /// taken from `folder`. Throws InputError with source, key, value and what is allowed.
 Scene parseScene(const YAML::Node& root, const std::string& source, const std::string& folder);
 
-/// Reads a scene file; each override "solver.time_step=0.005" replaces or adds one value first.
+/// Reads a scene file; each override "solver.time_step=0.005" or "cuts.0.normal=[1,0,0]" replaces or adds one value
+/// first, and the maps on the way to it. Throws InputError.
 Scene loadScene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// Absolute path of a `package://` address, an absolute path, or a path relative to `folder`. Throws InputError when
@@ -56,5 +61,8 @@ std::string resolvePath(const std::string& address, const std::string& folder);
 
 /// The scene's mesh file or grid.
 TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs = nullptr);
+
+/// Text of the tool's description where the scene's tool needs one to know its edge, else empty.
+std::string loadDescription(const Scene& scene);
 
 }  // namespace incision

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace incision {
+
+/// A scene or a tool's description is refused beyond this size [bytes]: what people write is a hundredth of it, and
+/// their parsers take memory and stack in proportion.
+inline constexpr std::size_t MAX_TEXT = std::size_t{1} << 20;
+
+/// The whole of a text file. Throws InputError when it cannot be read or is larger than MAX_TEXT.
+std::string readText(const std::string& path);
+
+}  // namespace incision
