@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "incision/surface/exposed.h"
+#include "incision/surface/gaps.h"
 #include "incision/surface/mesh_points.h"
 #include "incision/surface/triangulate.h"
 
@@ -20,27 +21,40 @@ class SurfaceBuilder {
 
   Surface run() {
     for (const auto& polygon : exposed_.polygons) addPolygon(polygon);
+    fillGaps();
     return std::move(surface_);
   }
 
  private:
   void addPolygon(const ExposedPolygons::Polygon& polygon) {
     outline(polygon);
+    if (loop_.size() < 3) return;
     corners_.clear();
     vertices_.clear();
     for (int point : loop_) {
       corners_.push_back(restPosition(point));
       vertices_.push_back(vertex(polygon.part, point));
     }
-    if (loop_.size() < 3) return;
-    for (const auto& [i, j, k] : triangulate(corners_)) {
-      const std::array<int, 3> triangle = {vertices_[i], vertices_[j], vertices_[k]};
-      // A polygon that rounding has folded on itself may come to the same vertex twice.
-      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
-      surface_.triangles.push_back(triangle);
-      surface_.part.push_back(polygon.part);
-      surface_.cut_face.push_back(polygon.cut_face);
-    }
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+      edges_.push_back({vertices_[i], vertices_[(i + 1) % vertices_.size()], polygon.part});
+    for (const auto& [i, j, k] : triangulate(corners_))
+      addTriangle({vertices_[i], vertices_[j], vertices_[k]}, polygon.part, polygon.cut_face);
+  }
+
+  void addTriangle(const std::array<int, 3>& triangle, int part, bool cut_face) {
+    // A polygon that rounding has folded on itself may come to the same vertex twice.
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) return;
+    surface_.triangles.push_back(triangle);
+    surface_.part.push_back(part);
+    surface_.cut_face.push_back(cut_face);
+  }
+
+  /// Parts that share less than MIN_OVERLAP of a face do not hang together there, nor are they severed. The gaps this
+  /// leaves have no area to speak of, but an open edge would spoil the surface for most uses.
+  void fillGaps() {
+    for (const auto& gap : findGaps(edges_, static_cast<int>(surface_.vertices.size())))
+      for (std::size_t i = 2; i < gap.size(); ++i)
+        addTriangle({gap[0].from, gap[i].from, gap[i - 1].from}, gap[i].part, true);
   }
 
   /// The points round the polygon, those of its neighbours on its sides included.
@@ -92,6 +106,7 @@ class SurfaceBuilder {
   std::vector<int> previous_;       // of each vertex: the one made before it at the same point, or −1
   std::vector<int> loop_, vertices_;
   std::vector<Vec3> corners_;
+  std::vector<SurfaceEdge> edges_;
   Surface surface_;
 };
 
