@@ -53,7 +53,7 @@ IncisionNode::IncisionNode()
   spinner_.start();
 }
 
-IncisionNode::~IncisionNode() { ros::shutdown(); }  // so that a service that waits for a step gives up
+IncisionNode::~IncisionNode() { tasks_.close(); }  // or the spinner would wait for a service that waits for us
 
 void IncisionNode::run() {
   while (ros::ok()) {

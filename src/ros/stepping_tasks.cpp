@@ -1,7 +1,5 @@
 #include "incision/ros/stepping_tasks.h"
 
-#include <ros/init.h>
-
 #include <utility>
 
 namespace incision {
@@ -11,12 +9,16 @@ bool SteppingTasks::ask(std::function<void()> task) {
   std::future<void> done = packaged.get_future();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (closed_) return false;
     tasks_.push_back(std::move(packaged));
   }
   wakeup_.notify();
-  while (done.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready)
-    if (!ros::ok()) return false;
-  return true;
+  try {
+    done.get();
+    return true;
+  } catch (const std::future_error&) {  // dropped
+    return false;
+  }
 }
 
 bool SteppingTasks::run() {
@@ -27,6 +29,12 @@ bool SteppingTasks::run() {
   }
   for (auto& task : tasks) task();
   return !tasks.empty();
+}
+
+void SteppingTasks::close() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  closed_ = true;
+  tasks_.clear();
 }
 
 }  // namespace incision
