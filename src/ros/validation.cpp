@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "incision/body/scene.h"
 #include "incision/ros/conversions.h"
 
 namespace incision {

@@ -16,9 +16,6 @@ using SteadyTime = std::chrono::steady_clock::time_point;
 /// ROS time [ns]. Plain integers, because differences of ros::Time throw where a hostile stamp makes them overflow.
 using Nanoseconds = std::int64_t;
 
-/// Longest label of a cut: it is kept and sent back, so it must not grow without bound.
-inline constexpr std::size_t MAX_LABEL = 64;
-
 /// What a message asks for.
 using Action = std::variant<CutPlane, ToolPose>;
 
