@@ -1,0 +1,56 @@
+#pragma once
+
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "incision/ros/command.h"
+
+namespace incision {
+
+/// Most cuts that may wait for their step: more than anyone plans ahead, and little memory.
+inline constexpr std::size_t MAX_WAITING_CUTS = 1000;
+
+/// Most tool poses kept between two steps. A longer path is thinned to every second pose: 256 still follow any path a
+/// hand can take in the time of one step.
+inline constexpr std::size_t MAX_WAITING_POSES = 256;
+
+/// Commands in the body's frame that wait for the step before which they take effect, ordered by stamp and then by
+/// arrival. Filled by the thread of the commands, emptied by the one that takes the steps.
+class Agenda {
+ public:
+  /// When the agenda is full, the cut with the latest stamp is put out and returned.
+  std::optional<CutPlane> add(const CutPlane& plane, Nanoseconds stamp);
+  void add(const ToolPose& pose, Nanoseconds stamp);
+
+  /// What is stamped up to `time`, in order.
+  std::vector<CutPlane> takeCuts(Nanoseconds time);
+  std::vector<ToolPose> takePoses(Nanoseconds time);
+
+  /// Empties the agenda; returns the cuts that will not be made.
+  std::vector<CutPlane> clear();
+
+  /// Commands so far that arrived after their stamp had been passed, and poses left out.
+  std::uint64_t late() const;
+  std::uint64_t thinned() const;
+
+ private:
+  template <class T>
+  struct Entry {
+    Nanoseconds stamp;
+    T action;
+  };
+  template <class T>
+  void insert(std::deque<Entry<T>>& entries, const T& action, Nanoseconds stamp);
+  template <class T>
+  std::vector<T> take(std::deque<Entry<T>>& entries, Nanoseconds time);
+
+  mutable std::mutex mutex_;
+  std::deque<Entry<CutPlane>> cuts_;
+  std::deque<Entry<ToolPose>> poses_;
+  Nanoseconds taken_ = 0;
+  std::uint64_t late_ = 0, thinned_ = 0;
+};
+
+}  // namespace incision

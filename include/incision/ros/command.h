@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "incision/cut/crack.h"
+#include "incision/tool/blade.h"
+
+namespace incision {
+
+/// Wall time that never jumps.
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+/// ROS time [ns]. Plain integers, because differences of ros::Time throw where a hostile stamp makes them overflow.
+using Nanoseconds = std::int64_t;
+
+/// What a message asks for.
+using Action = std::variant<CutPlane, ToolPose>;
+
+/// A message that passed validation.
+struct Command {
+  Action action;      ///< in `frame`
+  std::string frame;  ///< tf frame, without a leading slash
+  Nanoseconds stamp;  ///< time of the frame; 0: now
+  SteadyTime received;
+};
+
+/// Why a message was refused.
+enum class Refusal { NOT_FINITE, OUT_OF_RANGE, NO_TRANSFORM, TOO_MANY, NO_TOOL, BY_BODY, BY_RESET };
+inline constexpr int NUM_REFUSALS = 7;
+
+struct Refused {
+  Refusal kind;
+  std::string reason;  ///< in words, for the sender
+};
+
+}  // namespace incision

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include "incision/ros/agenda.h"
+#include "incision/ros/parameters.h"
+#include "incision/ros/reporter.h"
+#include "incision/ros/transform_queue.h"
+#include "incision/ros/wakeup.h"
+
+namespace incision {
+
+/// Messages that may wait to be looked at. At a thousand messages a second it takes this thread a stall of more than a
+/// second to lose one.
+inline constexpr std::uint32_t MESSAGE_QUEUE = 1000;
+
+/// How often commands that wait for a transform try again [s].
+inline constexpr double TRANSFORM_POLL = 0.01;
+
+/// Receives the commands on a thread of its own: checks each, brings it into the body's frame and puts it on the
+/// agenda. The stepping thread never sees a message that is no command.
+class CommandInput {
+ public:
+  CommandInput(ros::NodeHandle& node, const NodeSettings& settings, Agenda& agenda, Reporter& reporter, Wakeup& wakeup);
+
+  /// A command stamped at or before `time` still waits for its transform.
+  bool waitsFor(Nanoseconds time) const;
+
+  /// Refuses the commands that wait for a transform.
+  void clear(const Refused& refused);
+
+ private:
+  void receiveCut(const CutPlaneMessage& message);
+  void receivePose(const geometry_msgs::PoseStamped& message);
+  void accept(const Command& command);
+  void release(const Command& command);
+  void refuse(const Command& command, const Refused& refused);
+
+  const bool has_tool_, use_sim_time_;
+  const std::string body_frame_;
+  Agenda& agenda_;
+  Reporter& reporter_;
+  Wakeup& wakeup_;
+
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
+  TransformQueue transforms_;
+  ros::CallbackQueue callbacks_;
+  ros::Subscriber cuts_, poses_;
+  ros::WallTimer poll_;
+  ros::AsyncSpinner spinner_;  ///< last: its thread uses all of the above
+};
+
+}  // namespace incision

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Transform.h>
+#include <geometry_msgs/Vector3.h>
+
+#include "incision/body/deformable_body.h"
+#include "incision/ros/messages.h"
+
+namespace incision {
+
+Vec3 toVec3(const geometry_msgs::Point& p);
+Vec3 toVec3(const geometry_msgs::Vector3& v);
+geometry_msgs::Point toPoint(const Vec3& v);
+geometry_msgs::Vector3 toVector3(const Vec3& v);
+
+/// As the message stands, in the message's frame; nothing is checked.
+CutPlane toCutPlane(const CutPlaneMessage& message);
+/// The same; the quaternion is normalised.
+ToolPose toToolPose(const geometry_msgs::Pose& pose);
+
+Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform);
+
+/// The same plane, or pose, seen from the frame that `to_frame` maps into.
+CutPlane transformed(const CutPlane& plane, const Eigen::Isometry3d& to_frame);
+ToolPose transformed(const ToolPose& pose, const Eigen::Isometry3d& to_frame);
+
+/// All but the header.
+CutReport toReport(const CutResult& result);
+
+/// 16 hexadecimal digits.
+std::string toHex(std::uint64_t hash);
+
+/// Fills the sizes, the motion, step, time and hash; the rest is left to the node.
+void fillState(const DeformableBody& body, BodyState& state);
+
+}  // namespace incision

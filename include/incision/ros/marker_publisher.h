@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "incision/body/deformable_body.h"
+#include "incision/ros/wakeup.h"
+
+namespace incision {
+
+/// Publishes the body's surface at a given rate, to subscribers only. The stepping thread only copies positions;
+/// messages are built and sent on a thread of its own, which skips what it is too slow for.
+class MarkerPublisher {
+ public:
+  /// `rate` [Hz]; 0: never.
+  MarkerPublisher(ros::NodeHandle& node, const std::string& frame, double rate);
+  ~MarkerPublisher();
+
+  /// Hands over the body's surface when it is time and somebody listens.
+  void offer(const DeformableBody& body, SteadyTime now);
+  /// When to offer again.
+  SteadyTime nextOffer() const { return next_; }
+
+ private:
+  struct Snapshot {
+    std::shared_ptr<const Surface> surface;
+    std::vector<Vec3> positions;
+  };
+  void run();
+  std::optional<Snapshot> take();
+
+  const std::string frame_;
+  std::chrono::nanoseconds period_;
+  ros::Publisher publisher_;
+  SteadyTime next_;
+  std::shared_ptr<const Surface> surface_;
+  std::uint64_t topology_version_ = 0;
+
+  std::mutex mutex_;
+  std::optional<Snapshot> latest_;
+  std::atomic<bool> stopping_ = false;
+  Wakeup wakeup_;
+  std::thread thread_;
+};
+
+}  // namespace incision

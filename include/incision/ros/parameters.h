@@ -1,0 +1,23 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "incision/body/scene.h"
+
+namespace incision {
+
+/// The node's private parameters.
+struct NodeSettings {
+  Scene scene;                   ///< ~scene
+  std::string tool_description;  ///< ~tool_description: text of a URDF; empty when there is none
+  double marker_rate = 15;       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
+  double transform_timeout = 1;  ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
+  double max_lag = 5;            ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for
+};
+
+/// Reads and checks them all. Throws InputError with parameter, value and what is allowed.
+NodeSettings loadSettings(const ros::NodeHandle& node);
+
+}  // namespace incision

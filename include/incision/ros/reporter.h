@@ -1,0 +1,42 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <array>
+#include <atomic>
+
+#include "incision/body/deformable_body.h"
+#include "incision/ros/command.h"
+#include "incision/ros/messages.h"
+
+namespace incision {
+
+/// Tells what became of the commands: publishes the cut reports, counts and logs what was refused. Thread-safe.
+class Reporter {
+ public:
+  Reporter(ros::NodeHandle& node, const std::string& body_frame);
+
+  /// The body's pieces now; every report says them, also of cuts that never reach the body.
+  void setPieces(int pieces);
+
+  /// A cut that the body has answered.
+  void report(const CutResult& result);
+
+  /// A cut, or a tool pose, that did not get as far as the body.
+  void refuseCut(const std::string& label, const Refused& refused);
+  void refusePose(const Refused& refused);
+
+  /// Counts so far, into the fields of the state.
+  void fillState(BodyState& state) const;
+
+ private:
+  void count(const Refused& refused);
+  void publish(const CutResult& result);
+
+  const std::string body_frame_;
+  ros::Publisher publisher_;
+  std::array<std::atomic<std::uint64_t>, NUM_REFUSALS> counts_ = {};
+  std::atomic<int> pieces_ = 0;
+};
+
+}  // namespace incision

@@ -1,0 +1,13 @@
+#include <ros/console.h>
+#include <ros/init.h>
+
+#include "incision/ros/node.h"
+
+int main(int argc, char** argv) try {
+  ros::init(argc, argv, "incision");
+  incision::IncisionNode().run();
+  return 0;
+} catch (const std::exception& error) {
+  ROS_FATAL_STREAM(error.what());
+  return 1;
+}

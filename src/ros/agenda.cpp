@@ -1,0 +1,75 @@
+#include "incision/ros/agenda.h"
+
+#include <algorithm>
+
+namespace incision {
+
+template <class T>
+void Agenda::insert(std::deque<Entry<T>>& entries, const T& action, Nanoseconds stamp) {
+  if (stamp > 0 && stamp <= taken_) ++late_;
+  const auto place = std::upper_bound(entries.begin(), entries.end(), stamp,
+                                      [](Nanoseconds time, const Entry<T>& entry) { return time < entry.stamp; });
+  entries.insert(place, {stamp, action});
+}
+
+template <class T>
+std::vector<T> Agenda::take(std::deque<Entry<T>>& entries, Nanoseconds time) {
+  if (time > 0) taken_ = time;
+  std::vector<T> taken;
+  while (!entries.empty() && entries.front().stamp <= time) {
+    taken.push_back(std::move(entries.front().action));
+    entries.pop_front();
+  }
+  return taken;
+}
+
+std::optional<CutPlane> Agenda::add(const CutPlane& plane, Nanoseconds stamp) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  insert(cuts_, plane, stamp);
+  if (cuts_.size() <= MAX_WAITING_CUTS) return std::nullopt;
+  CutPlane last = std::move(cuts_.back().action);
+  cuts_.pop_back();
+  return last;
+}
+
+void Agenda::add(const ToolPose& pose, Nanoseconds stamp) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  insert(poses_, pose, stamp);
+  if (poses_.size() <= MAX_WAITING_POSES) return;
+  std::deque<Entry<ToolPose>> kept;
+  for (std::size_t i = 0; i < poses_.size(); i += 2) kept.push_back(poses_[i]);
+  thinned_ += poses_.size() - kept.size();
+  poses_ = std::move(kept);
+}
+
+std::vector<CutPlane> Agenda::takeCuts(Nanoseconds time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return take(cuts_, time);
+}
+
+std::vector<ToolPose> Agenda::takePoses(Nanoseconds time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return take(poses_, time);
+}
+
+std::vector<CutPlane> Agenda::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<CutPlane> cuts;
+  for (Entry<CutPlane>& entry : cuts_) cuts.push_back(std::move(entry.action));
+  cuts_.clear();
+  poses_.clear();
+  taken_ = 0;
+  return cuts;
+}
+
+std::uint64_t Agenda::late() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return late_;
+}
+
+std::uint64_t Agenda::thinned() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return thinned_;
+}
+
+}  // namespace incision

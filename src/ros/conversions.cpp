@@ -1,0 +1,102 @@
+#include "incision/ros/conversions.h"
+
+#include <cinttypes>
+#include <cstdio>
+
+namespace incision {
+
+Vec3 toVec3(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
+Vec3 toVec3(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+geometry_msgs::Point toPoint(const Vec3& v) {
+  geometry_msgs::Point p;
+  p.x = v.x(), p.y = v.y(), p.z = v.z();
+  return p;
+}
+
+geometry_msgs::Vector3 toVector3(const Vec3& v) {
+  geometry_msgs::Vector3 w;
+  w.x = v.x(), w.y = v.y(), w.z = v.z();
+  return w;
+}
+
+CutPlane toCutPlane(const CutPlaneMessage& message) {
+  CutPlane plane;
+  plane.label = message.label;
+  plane.point = toVec3(message.point);
+  plane.normal = toVec3(message.normal);
+  plane.tangent = toVec3(message.tangent);
+  plane.length = message.length;
+  plane.width = message.width;
+  return plane;
+}
+
+namespace {
+
+Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+}
+
+}  // namespace
+
+ToolPose toToolPose(const geometry_msgs::Pose& pose) { return {toVec3(pose.position), toQuaternion(pose.orientation)}; }
+
+Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
+  return Eigen::Translation3d(toVec3(transform.translation)) * toQuaternion(transform.rotation);
+}
+
+CutPlane transformed(const CutPlane& plane, const Eigen::Isometry3d& to_frame) {
+  CutPlane result = plane;
+  result.point = to_frame * plane.point;
+  result.normal = to_frame.linear() * plane.normal;
+  result.tangent = to_frame.linear() * plane.tangent;
+  return result;
+}
+
+ToolPose transformed(const ToolPose& pose, const Eigen::Isometry3d& to_frame) {
+  return {to_frame * pose.position, (Eigen::Quaterniond(to_frame.linear()) * pose.orientation).normalized()};
+}
+
+CutReport toReport(const CutResult& result) {
+  CutReport report;
+  report.label = result.label;
+  report.status = static_cast<std::uint8_t>(result.status);
+  report.reason = result.reason;
+  report.cracks = result.cracks;
+  report.parts_split = result.parts_split;
+  report.copies_added = result.copies_added;
+  report.pieces = result.pieces;
+  report.duration = result.duration;
+  return report;
+}
+
+std::string toHex(std::uint64_t hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016" PRIx64, hash);
+  return digits;
+}
+
+void fillState(const DeformableBody& body, BodyState& state) {
+  state.step = body.steps();
+  state.time = body.time();
+  state.state_hash = toHex(body.stateHash());
+
+  const BodyCounts counts = body.counts();
+  state.nodes = counts.nodes;
+  state.elements = counts.elements;
+  state.crack_elements = counts.crack_elements;
+  state.parts = counts.parts;
+  state.copies = counts.copies;
+  state.dofs = counts.dofs;
+  state.cracks = counts.cracks;
+  state.pieces = counts.pieces;
+
+  const BodyMotion motion = body.motion();
+  state.mass = motion.mass;
+  state.momentum = toVector3(motion.momentum);
+  state.kinetic_energy = motion.kinetic_energy;
+  state.elastic_energy = motion.elastic_energy;
+  state.max_displacement = motion.max_displacement;
+}
+
+}  // namespace incision

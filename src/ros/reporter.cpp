@@ -1,0 +1,64 @@
+#include "incision/ros/reporter.h"
+
+#include <ros/console.h>
+
+#include "incision/ros/conversions.h"
+
+namespace incision {
+namespace {
+
+/// Reports that may wait for a slow subscriber: as many as the messages that may wait for us.
+constexpr std::uint32_t REPORT_QUEUE = 1000;
+
+/// Least time [s] between two warnings of refused messages.
+constexpr double WARNING_PERIOD = 2;
+
+}  // namespace
+
+Reporter::Reporter(ros::NodeHandle& node, const std::string& body_frame)
+    : body_frame_(body_frame), publisher_(node.advertise<CutReport>("cut_report", REPORT_QUEUE, true)) {}
+
+void Reporter::setPieces(int pieces) { pieces_ = pieces; }
+
+void Reporter::report(const CutResult& result) {
+  if (result.status == CutStatus::REJECTED) count({Refusal::BY_BODY, result.reason});
+  setPieces(result.pieces);
+  publish(result);
+}
+
+void Reporter::refuseCut(const std::string& label, const Refused& refused) {
+  count(refused);
+  CutResult result;
+  result.label = label.substr(0, MAX_LABEL);
+  result.status = CutStatus::REJECTED;
+  result.reason = refused.reason;
+  result.pieces = pieces_;
+  publish(result);
+}
+
+void Reporter::refusePose(const Refused& refused) { count(refused); }
+
+void Reporter::count(const Refused& refused) {
+  ++counts_[static_cast<int>(refused.kind)];
+  ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "refused a command: " << refused.reason);
+}
+
+void Reporter::publish(const CutResult& result) {
+  CutReport report = toReport(result);
+  report.header.stamp = ros::Time::now();
+  report.header.frame_id = body_frame_;
+  publisher_.publish(report);
+}
+
+void Reporter::fillState(BodyState& state) const {
+  const auto count = [this](Refusal kind) { return counts_[static_cast<int>(kind)].load(); };
+  state.rejected_not_finite = count(Refusal::NOT_FINITE);
+  state.rejected_out_of_range = count(Refusal::OUT_OF_RANGE);
+  state.rejected_no_transform = count(Refusal::NO_TRANSFORM);
+  state.rejected_overflow = count(Refusal::TOO_MANY);
+  state.rejected_no_tool = count(Refusal::NO_TOOL);
+  state.rejected_by_body = count(Refusal::BY_BODY);
+  state.rejected_by_reset = count(Refusal::BY_RESET);
+}
+
+}  // namespace incision
