@@ -4,12 +4,23 @@
 
 namespace incision {
 
-/// Calls f(i) for i = 0 … n − 1 on `threads` threads. Every index is computed alone, so results do not depend on how
-/// many threads there are.
+namespace detail {
+/// Calls run(context, begin, end) for consecutive ranges that cover 0 … n − 1, on up to `threads` threads.
+void runRanges(int n, int threads, void (*run)(const void* context, int begin, int end), const void* context);
+}  // namespace detail
+
+/// Calls f(i) for i = 0 … n − 1 on up to `threads` threads. Every index is computed alone, so results do not depend on
+/// how many threads there are. The caller works too and never waits for a thread that has not begun: where other
+/// programs keep the processors busy this is no slower than one thread. f must not call parallelFor or throw.
 template <typename Function>
 void parallelFor(int n, int threads, const Function& f) {
-#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
-  for (int i = 0; i < n; ++i) f(i);
+  detail::runRanges(
+      n, threads,
+      [](const void* context, int begin, int end) {
+        const Function& function = *static_cast<const Function*>(context);
+        for (int i = begin; i < end; ++i) function(i);
+      },
+      &f);
 }
 
 /// Σ f(i), added up in the order of i whatever the count of threads. `terms` is scratch that keeps its memory.
