@@ -1,6 +1,8 @@
 #include "incision/surface/exposed.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace incision {
 namespace {
@@ -19,16 +21,15 @@ class Collector {
   }
 
  private:
+  /// What the part shows by itself: skin and cut facets.
   void addFacets(int part) {
     const auto& neighbours = mesh_.topology().neighbours[mesh_.parts()[part].element];
-    const auto onBoundary = [&](int face) { return face >= 0 && neighbours[face] < 0; };
-    if (mesh_.parts()[part].detail < 0 &&
-        !std::any_of(neighbours.begin(), neighbours.end(), [](int n) { return n < 0; }))
-      return;
+    const bool at_skin = *std::min_element(neighbours.begin(), neighbours.end()) < 0;
+    if (mesh_.parts()[part].detail < 0 && !at_skin) return;
     const Polytope& polytope = mesh_.polytope(part);
     for (const Facet& facet : polytope.facets) {
       const bool cut_face = facet.face < 0;
-      if (!cut_face && !onBoundary(facet.face)) continue;
+      if (!cut_face && neighbours[facet.face] >= 0) continue;
       for (int c : facet.corners) exposed_.corners.push_back(polytope.corners[c]);
       close(part, cut_face);
     }
@@ -43,16 +44,17 @@ class Collector {
     return false;
   }
 
+  /// What parts on both sides of a face show where a crack severs them.
   void addSevered(int element, int face) {
+    const auto& nodes = mesh_.mesh().elements[element];
+    const auto& nodes_across = mesh_.mesh().elements[mesh_.topology().neighbours[element][face]];
+    std::array<int, 3> across;  // the face's nodes, as the neighbour numbers them
+    for (int i = 0; i < 3; ++i) {
+      const auto at = std::find(nodes_across.begin(), nodes_across.end(), nodes[FACE_NODES[face][i]]);
+      across[i] = static_cast<int>(at - nodes_across.begin());
+    }
     for (const FacePair& pair : mesh_.facePairs(element, face)) {
       if (!pair.severed) continue;
-      const auto& nodes = mesh_.mesh().elements[element];
-      const auto& nodes_across = mesh_.mesh().elements[mesh_.parts()[pair.other].element];
-      std::array<int, 3> across;
-      for (int i = 0; i < 3; ++i) {
-        const auto at = std::find(nodes_across.begin(), nodes_across.end(), nodes[FACE_NODES[face][i]]);
-        across[i] = static_cast<int>(at - nodes_across.begin());
-      }
       for (const FacePoint& point : pair.polygon) addFacePoint(FACE_NODES[face], point);
       close(pair.part, true);
       for (auto point = pair.polygon.rbegin(); point != pair.polygon.rend(); ++point) addFacePoint(across, *point);

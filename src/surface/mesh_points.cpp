@@ -1,6 +1,7 @@
 #include "incision/surface/mesh_points.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace incision {
@@ -12,7 +13,7 @@ int numNodes(const MeshPoint& point) {
   return static_cast<int>(std::find(point.nodes.begin(), point.nodes.end(), -1) - point.nodes.begin());
 }
 
-/// The point with the weights that rounding left dropped, its nodes in ascending order.
+/// Where a corner lies; weights that are there by rounding only are dropped.
 MeshPoint locatePoint(const std::array<int, 4>& element, const Barycentric& b) {
   std::array<int, 4> order = {0, 1, 2, 3};
   std::sort(order.begin(), order.end(), [&](int I, int J) { return element[I] < element[J]; });
@@ -69,7 +70,7 @@ std::vector<MeshPoints::Corner> MeshPoints::locate(const CutMesh& mesh, const Ex
 
 void MeshPoints::number(const std::vector<Corner>& corners) {
   std::vector<int> order(corners.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int i, int j) {
     const Corner &a = corners[i], &b = corners[j];
     return std::tie(a.point.nodes, a.part, a.index) < std::tie(b.point.nodes, b.part, b.index);
