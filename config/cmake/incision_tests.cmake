@@ -3,7 +3,7 @@
 #   "Full" and all of *_full_test.cpp.
 # - test/ros/*.test: rostest. Full are *_full.test.
 # - the sources: what includes what, their format, catkin_lint.
-# - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>/.
+# - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>_corpus/.
 if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
   return()
 endif()
@@ -19,7 +19,7 @@ include(GoogleTest)
 
 function(incision_discover target label filter)
   gtest_discover_tests(${target}
-    TEST_PREFIX "${label}." TEST_FILTER "${filter}" DISCOVERY_TIMEOUT 60
+    TEST_PREFIX "${label}." NO_PRETTY_VALUES TEST_FILTER "${filter}" DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${label} TIMEOUT 900)
 endfunction()
 
@@ -101,7 +101,7 @@ if(INCISION_FUZZ)
     file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/corpus/${name}")
     add_test(NAME quick.fuzz.${name}
       COMMAND ${program} -max_total_time=${INCISION_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
-        corpus/${name} "${PROJECT_SOURCE_DIR}/test/fuzz/${name}")
+        corpus/${name} "${PROJECT_SOURCE_DIR}/test/fuzz/${name}_corpus")
     set_tests_properties(quick.fuzz.${name} PROPERTIES LABELS quick TIMEOUT 300)
   endforeach()
 endif()
