@@ -3,11 +3,14 @@
 
 #include "incision/ros/node.h"
 
-int main(int argc, char** argv) try {
+int main(int argc, char** argv) {
   ros::init(argc, argv, "incision");
-  incision::IncisionNode().run();
-  return 0;
-} catch (const std::exception& error) {
-  ROS_FATAL_STREAM(error.what());
-  return 1;
+  const ros::NodeHandle keeps_ros_up;  // without a handle nothing is logged
+  try {
+    incision::IncisionNode().run();
+    return 0;
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM(error.what());
+    return 1;
+  }
 }

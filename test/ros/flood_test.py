@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""A thousand bad messages a second take nothing from the body."""
+
+import math
+import sys
+import time
+import unittest
+
+import rospy
+import rosnode
+import rostest
+from incision.msg import CutReport
+from incision_client import Client, cut_plane
+
+SECONDS = 10
+RATE = 1000  # bad messages a second
+
+BAD = [cut_plane(label='bad', point=(math.nan, 0, 0)), cut_plane(label='bad', normal=(0, 0, 0)),
+       cut_plane(label='bad', length=-1), cut_plane(label='bad', frame='nowhere'),
+       cut_plane(label='bad' * 30)]
+
+
+def resident_mb(pid):
+    with open(f'/proc/{pid}/status', encoding='ascii') as status:
+        return next(int(line.split()[1]) for line in status if line.startswith('VmRSS')) / 1024
+
+
+class Flood(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.client = Client()
+        cls.pid = rosnode.get_node_pid('/incision') if hasattr(rosnode, 'get_node_pid') else None
+
+    def steps_per_second(self, during):
+        first, start = self.client.next_state().step, time.monotonic()
+        during()
+        return (self.client.next_state().step - first) / (time.monotonic() - start)
+
+    def flood(self):
+        start = time.monotonic()
+        for second in range(SECONDS):
+            self.client.send(cut_plane(label=f'good {second}', point=(0.05 + 0.09 * second, 0, 0)))
+            for i in range(RATE):
+                self.client.send(BAD[i % len(BAD)])
+                ahead = start + second + i / RATE - time.monotonic()
+                if ahead > 0.01:
+                    time.sleep(ahead)
+
+    def test_good_cuts_among_bad_ones(self):
+        idle = self.steps_per_second(lambda: time.sleep(3))
+        flooded = self.steps_per_second(self.flood)
+        self.assertGreater(flooded, 0.9 * idle)
+        good = self.client.wait_for(self.good_reports, 'the reports of all good cuts')
+        self.assertEqual([CutReport.APPLIED] * SECONDS, [report.status for report in good])
+        self.client.wait_for(lambda: self.rejected() == SECONDS * RATE, 'all bad messages to be counted')
+
+    def good_reports(self):
+        good = [report for report in self.client.reports if report.label.startswith('good')]
+        return good if len(good) == SECONDS else None
+
+    def rejected(self):
+        state = self.client.state
+        return (state.rejected_not_finite + state.rejected_out_of_range + state.rejected_no_transform
+                + state.rejected_overflow)
+
+
+if __name__ == '__main__':
+    rospy.init_node('flood_test')
+    rostest.rosrun('incision', 'flood', Flood, sys.argv)
