@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
         inMaterial("young_modulus:", "young_modulus"), inMaterial("young_modulus: [1]", "young_modulus"),
         inMaterial("poisson_ratio: -0.1", "poisson_ratio"), inMaterial("density: 0", "density"),
         inMaterial("mass_damping: -1", "mass_damping"), inMaterial("stiffness_damping: -1", "stiffness_damping"),
-        inMaterial("density: 1, density: 2", "density: given twice"), inMaterial("[1]: 2", "")));
+        inMaterial("density: 1, density: 2", "density: given twice"), inBody("[1]: 2", "body: a key")));
 
 INSTANTIATE_TEST_SUITE_P(
     Sections, RefusedScene,
