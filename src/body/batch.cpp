@@ -38,6 +38,7 @@ Runs a scene and ends with one line of JSON on standard output.
   --snapshot END.vtu the surface and its stress at the end, for ParaView
   --help             this text
 
+Ctrl-C ends the run after the current step, outputs included.
 Exit status: 0 done, 1 a step failed or an output could not be written, 2 bad input.
 )";
 

@@ -1,6 +1,7 @@
 #include "incision/body/scene.h"
 
 #include <cmath>
+#include <limits>
 
 #include "incision/body/yaml_reader.h"
 #include "incision/mesh/input_error.h"
@@ -25,23 +26,20 @@ constexpr Range TIME = {0, 1e9};
 constexpr Range TIME_STEP = {1e-6, 1};
 constexpr Range TOLERANCE = {1e-12, 1e-1};
 constexpr int MAX_THREADS = 64;
-constexpr int MAX_CELLS = 10'000;       // along one axis; MAX_COPIES bounds all three together
 constexpr std::size_t MAX_NAME = 255;   // bytes of a frame or link name, far above those in use
 constexpr std::size_t MAX_PATH = 4096;  // bytes, as Linux has it
 
 // How far from 1 the length of a quaternion may be before it is a mistake rather than rounding; tf2 has the same.
 constexpr double QUATERNION_TOLERANCE = 1e-2;
 
+// How many cells there may be in all is for the grid to say.
 GridSettings parseGrid(const YamlValue& value) {
   const YamlMap map = value.map({"cells", "size", "origin"});
   GridSettings grid;
-  double nodes = 1;
   const std::vector<YamlValue> cells = map.at("cells").list(3);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    grid.cells[axis] = cells[axis].integer(1, MAX_CELLS);
-    nodes *= grid.cells[axis] + 1.0;
+    grid.cells[axis] = cells[axis].integer(1, std::numeric_limits<int>::max());
   }
-  if (nodes > MAX_COPIES) map.at("cells").refuse("up to " + std::to_string(MAX_COPIES) + " nodes in all");
   if (map.has("size")) grid.size = map.at("size").vector(POSITIVE);
   grid.origin = map.vector("origin", grid.origin);
   return grid;

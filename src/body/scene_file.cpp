@@ -27,7 +27,7 @@ YAML::Node parseYaml(const std::string& text, const std::string& name) {
 // The list entry or map value called `name`, made when it is missing.
 YAML::Node child(YAML::Node parent, const std::string& name, const std::string& override_text) {
   if (!parent.IsSequence()) {
-    if (!parent.IsNull() && !parent.IsMap()) {
+    if (parent.IsDefined() && !parent.IsNull() && !parent.IsMap()) {
       throw InputError("--set " + override_text + ": " + name + " would lie inside a single value");
     }
     return parent[name];

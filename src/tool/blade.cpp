@@ -18,6 +18,10 @@ constexpr std::ptrdiff_t MAX_ELEMENTS = 10'000;
 // Bytes: what people write is a hundredth of it.
 constexpr std::size_t MAX_DESCRIPTION = std::size_t{1} << 20;
 
+// urdfdom's XML parser trusts the first byte of a character, which promises up to four, and reads past the end of a
+// text that breaks off within one. These come after it.
+constexpr const char* PADDING = "    ";
+
 // Keeps urdfdom from printing and remembers its first complaint, for as long as it lives.
 class QuietConsole : public console_bridge::OutputHandler {
  public:
@@ -59,7 +63,7 @@ urdf::ModelInterfaceSharedPtr parseDescription(const std::string& urdf, const st
   checkSize(urdf, name);
   QuietConsole console;
   try {
-    if (const auto model = urdf::parseURDF(urdf)) return model;
+    if (const auto model = urdf::parseURDF(urdf + PADDING)) return model;
   } catch (const std::exception& error) {
     throw InputError(name + ": not a robot description: " + oneLine(error.what()));
   }

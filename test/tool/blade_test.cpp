@@ -118,6 +118,11 @@ TEST(BladeEdge, DeepNestingDoesNotExhaustTheStack) {
   EXPECT_NE(said("<robot name=\"r\">" + nested).message.find("elements"), std::string::npos);
 }
 
+// What the sanitizer watches: the parser must not read past the end.
+TEST(BladeEdge, TextThatBreaksOffWithinACharacterIsRefused) {
+  EXPECT_NE(said("<robot name=\"r\"><link \xf1").message, "");
+}
+
 TEST(BladeEdge, CarriedToAPoseItIsTurnedThenMoved) {
   const double s = std::sqrt(0.5);
   const ToolPose pose = {Vec3(1, 2, 3), Eigen::Quaterniond(s, 0, 0, s)};  // a quarter turn round z
