@@ -24,14 +24,18 @@ FacePolygon ownedFace(const CutMesh& mesh, int part, int face) {
   return polygon;
 }
 
-/// Whether a part owns area of a boundary face, or volume of an element, all of whose nodes are held.
-bool ownsHeldMaterial(const CutMesh& mesh, const std::vector<int>& held_nodes, int part) {
+/// Whether a part owns area of a boundary face, or volume of an element, all of whose nodes move as one clamp:
+/// between clamps that move differently the material is not held.
+bool ownsClampedMaterial(const CutMesh& mesh, const std::vector<Hold>& holds, const std::vector<int>& held_nodes,
+                         int hold, int part) {
   const int e = mesh.parts()[part].element;
   const auto& element = mesh.mesh().elements[e];
-  const auto held = [&](int node) { return held_nodes[node] >= 0; };
-  if (std::all_of(element.begin(), element.end(), held)) return true;
+  const auto clamped = [&](int node) {
+    return held_nodes[node] >= 0 && holds[held_nodes[node]].velocity == holds[hold].velocity;
+  };
+  if (std::all_of(element.begin(), element.end(), clamped)) return true;
   for (int f = 0; f < 4; ++f)
-    if (mesh.topology().neighbours[e][f] < 0 && allNodes(element, FACE_NODES[f], held) &&
+    if (mesh.topology().neighbours[e][f] < 0 && allNodes(element, FACE_NODES[f], clamped) &&
         faceShare(ownedFace(mesh, part, f)) > MIN_OVERLAP)
       return true;
   return false;
@@ -47,19 +51,17 @@ std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Hold>& holds) 
   return held;
 }
 
-std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<int>& held_nodes) {
+std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<Hold>& holds, const std::vector<int>& held_nodes) {
   std::vector<int> held(mesh.numCopies(), -1);
   for (std::size_t n = 0; n < held_nodes.size(); ++n)
     if (held_nodes[n] >= 0 && mesh.ownCopy(static_cast<int>(n)) >= 0)
       held[mesh.ownCopy(static_cast<int>(n))] = held_nodes[n];
-  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
-    const Part& part = mesh.parts()[p];
-    const auto undecided = [&](int c) { return held[c] < 0 && held_nodes[mesh.copyNode(c)] >= 0; };
-    if (std::none_of(part.copies.begin(), part.copies.end(), undecided)) continue;
-    if (!ownsHeldMaterial(mesh, held_nodes, static_cast<int>(p))) continue;
-    for (int c : part.copies)
-      if (undecided(c)) held[c] = held_nodes[mesh.copyNode(c)];
-  }
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p)
+    for (int c : mesh.parts()[p].copies) {
+      const int hold = held_nodes[mesh.copyNode(c)];
+      if (hold >= 0 && held[c] < 0 && ownsClampedMaterial(mesh, holds, held_nodes, hold, static_cast<int>(p)))
+        held[c] = hold;
+    }
   return held;
 }
 

@@ -29,7 +29,7 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass m
 
 void ImplicitStep::topologyChanged(const Motion& motion) {
   assembly_.topologyChanged(motion.x);
-  held_ = heldCopies(mesh_, held_nodes_);
+  held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
   const int known = static_cast<int>(dv_.size());
   dv_.resize(mesh_.numCopies(), Vec3::Zero());
