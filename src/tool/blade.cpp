@@ -22,17 +22,22 @@ constexpr std::size_t MAX_DESCRIPTION = std::size_t{1} << 20;
 // text that breaks off within one. These come after it.
 constexpr const char* PADDING = "    ";
 
-// Keeps urdfdom from printing and remembers its first complaint, for as long as it lives.
+// Keeps urdfdom from printing and remembers its first complaint, for as long as it lives. urdfdom hands text of the
+// description to printf as the format: where a '%' may be in it, written out or as a reference, it is not heard at all.
 class QuietConsole : public console_bridge::OutputHandler {
  public:
-  QuietConsole() : previous_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
+  explicit QuietConsole(const std::string& urdf) : previous_(console_bridge::getOutputHandler()) {
+    const bool may_be_heard = urdf.find_first_of("%&") == std::string::npos;
+    console_bridge::useOutputHandler(may_be_heard ? this : nullptr);
+  }
   ~QuietConsole() override { console_bridge::useOutputHandler(previous_); }
   QuietConsole(const QuietConsole&) = delete;
   QuietConsole& operator=(const QuietConsole&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (complaint_.empty() && level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) complaint_ = text;
+    if (complaint_.empty() && level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) complaint_ = ": " + text;
   }
+  /// ": reason", or nothing.
   const std::string& complaint() const { return complaint_; }
 
  private:
@@ -61,13 +66,13 @@ void checkSize(const std::string& urdf, const std::string& name) {
 
 urdf::ModelInterfaceSharedPtr parseDescription(const std::string& urdf, const std::string& name) {
   checkSize(urdf, name);
-  QuietConsole console;
+  QuietConsole console(urdf);
   try {
     if (const auto model = urdf::parseURDF(urdf + PADDING)) return model;
   } catch (const std::exception& error) {
     throw InputError(name + ": not a robot description: " + oneLine(error.what()));
   }
-  throw InputError(name + ": not a robot description: " + oneLine(console.complaint()));
+  throw InputError(name + ": not a robot description" + oneLine(console.complaint()));
 }
 
 Vec3 toVec3(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }

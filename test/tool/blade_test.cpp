@@ -123,6 +123,13 @@ TEST(BladeEdge, TextThatBreaksOffWithinACharacterIsRefused) {
   EXPECT_NE(said("<robot name=\"r\"><link \xf1").message, "");
 }
 
+TEST(BladeEdge, FormatsInTheTextAreNotPrinted) {
+  for (const char* name : {"%n%n%n%n", "&#37;n&#37;n&#37;n&#37;n"}) {
+    const std::string visual = std::string("<visual><origin xyz=\"") + name + " 0 0\"/></visual>";
+    EXPECT_NE(said("<robot name=\"r\"><link name=\"blade\">" + visual + "</link></robot>").message, "");
+  }
+}
+
 TEST(BladeEdge, CarriedToAPoseItIsTurnedThenMoved) {
   const double s = std::sqrt(0.5);
   const ToolPose pose = {Vec3(1, 2, 3), Eigen::Quaterniond(s, 0, 0, s)};  // a quarter turn round z
