@@ -1,11 +1,17 @@
 #include "incision/fem/assembly.h"
 
-#include <cassert>
+#include <limits>
 
 #include "incision/fem/parallel.h"
 #include "incision/fem/rotation.h"
 
 namespace incision {
+namespace {
+
+/// Roundings that add up in one force: of four products in F, three each in RᵀF, σ, Rσ and the force itself.
+constexpr double ROUNDINGS = 16;
+
+}  // namespace
 
 Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, bool warping, int threads)
     : mesh_(mesh),
@@ -58,6 +64,19 @@ void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forc
     part_forces_[p].noalias() = (volume(p) * R * stress) * rest_[mesh_.parts()[p].element].b;
   });
   gather(forces);
+}
+
+// F is a sum of y_J b_Jᵀ that mostly cancel: its rounding is that of the largest, and the stress carries it on.
+std::vector<double> Assembly::forceRounding() const {
+  const double modulus = material_.lambda() + 2 * material_.mu();
+  std::vector<double> rounding(masses_.size(), 0);
+  for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
+    const Gradients& b = rest_[mesh_.parts()[p].element].b;
+    const double stress = ROUNDINGS * std::numeric_limits<double>::epsilon() * modulus * b.colwise().norm().maxCoeff();
+    for (int I = 0; I < 4; ++I)
+      rounding[mesh_.parts()[p].copies[I]] += volume(static_cast<int>(p)) * b.col(I).norm() * stress;
+  }
+  return rounding;
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {

@@ -3,9 +3,15 @@
 #include <cmath>
 
 namespace incision {
+namespace {
 
-void DirectSolver::topologyChanged(const Assembly& assembly, const std::vector<bool>& held, const std::vector<int>&,
-                                   const SystemFactors& factors) {
+/// Relative residual that a backward stable factorisation leaves, and below which its rounding is not worth reporting.
+constexpr double ATTAINABLE = 1e-12;
+
+}  // namespace
+
+void DirectSolver::topologyChanged(const Assembly& assembly, const std::vector<bool>& held,
+                                   const std::vector<int>& piece, const SystemFactors& factors) {
   assembly_ = &assembly;
   factors_ = factors;
   std::vector<int> free_copies;
@@ -14,8 +20,10 @@ void DirectSolver::topologyChanged(const Assembly& assembly, const std::vector<b
   pattern_ = blockPattern(assembly, free_copies);
   ones_.assign(free_copies.size(), 1);
   const std::vector<double> diagonal = diagonalScale(assembly, factors);
-  inverse_diagonal_.clear();
-  for (int c : free_copies) inverse_diagonal_.push_back(1 / diagonal[c]);
+  norms_.topologyChanged(assembly, free_copies, piece, diagonal);
+  scale_.clear();
+  for (int c : free_copies) scale_.push_back(1 / std::sqrt(diagonal[c]));
+  r_.resize(free_copies.size());
 
   LowerTriangle lower;
   lower.column_start.push_back(0);
@@ -41,24 +49,27 @@ bool DirectSolver::matrixChanged(const std::vector<Vec3>&) {
   return cholesky_.factorise(values_);
 }
 
-SolveStats DirectSolver::solve(const Residual& residual, std::vector<Vec3>* dv) {
-  if (pattern_.rows() == 0) return {};
-  const auto scaledNorm = [&] {
-    double sum = 0;
-    for (int r = 0; r < pattern_.rows(); ++r) sum += inverse_diagonal_[r] * r_[pattern_.copies[r]].squaredNorm();
-    return std::sqrt(sum);
-  };
+SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding, std::vector<Vec3>* dv) {
+  SolveStats stats;
+  if (pattern_.rows() == 0) return stats;
   for (int c : pattern_.copies) (*dv)[c].setZero();
-  residual(*dv, &r_);
-  const double b_norm = scaledNorm();
+  takeResidual(residual, *dv);
+  norms_.setRightHandSide(r_, rounding, ATTAINABLE);
+  if (norms_.total() == 0) return stats;
   b_.resize(3 * pattern_.rows());
   for (int r = 0; r < pattern_.rows(); ++r)
-    for (int i = 0; i < 3; ++i) b_[3 * r + i] = r_[pattern_.copies[r]][i];
+    for (int i = 0; i < 3; ++i) b_[3 * r + i] = nodal_residual_[pattern_.copies[r]][i];
   cholesky_.solve(b_, &solution_);
   for (int r = 0; r < pattern_.rows(); ++r)
     for (int i = 0; i < 3; ++i) (*dv)[pattern_.copies[r]][i] = solution_[3 * r + i];
-  residual(*dv, &r_);
-  return {0, b_norm > 0 ? scaledNorm() / b_norm : 0};
+  takeResidual(residual, *dv);
+  stats.residual = norms_.worstRatio(r_);
+  return stats;
+}
+
+void DirectSolver::takeResidual(const Residual& residual, const std::vector<Vec3>& dv) {
+  residual(dv, &nodal_residual_);
+  for (int r = 0; r < pattern_.rows(); ++r) r_[r] = scale_[r] * nodal_residual_[pattern_.copies[r]];
 }
 
 }  // namespace incision

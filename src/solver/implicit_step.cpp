@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "incision/fem/parallel.h"
+#include "incision/solver/direct_solver.h"
 
 namespace incision {
 namespace {
@@ -11,6 +12,10 @@ namespace {
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// Steps that the fallback takes before the iteration is tried again: what made it fail, a sliver of a piece or a
+/// stiffness beyond float, rarely goes away at once.
+constexpr int FALLBACK_STEPS = 20;
 
 bool allFinite(const std::vector<Vec3>& values) {
   return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
@@ -31,16 +36,16 @@ void ImplicitStep::topologyChanged(const Motion& motion) {
   assembly_.topologyChanged(motion.x);
   held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
-  const int known = static_cast<int>(dv_.size());
-  dv_.resize(mesh_.numCopies(), Vec3::Zero());
-  for (int c = known; c < mesh_.numCopies(); ++c) dv_[c] = dv_[mesh_.copyParent(c)];
+  for (int c = static_cast<int>(dv_.size()); c < mesh_.numCopies(); ++c)
+    dv_.push_back(mesh_.copyParent(c) < c ? Vec3(dv_[mesh_.copyParent(c)]) : Vec3::Zero());
+  force_rounding_ = assembly_.forceRounding();
   topology_known_ = false;
+  fallback_steps_ = 0;
 }
 
 void ImplicitStep::reset() {
   assembly_.resetRotations();
-  dv_.assign(dv_.size(), Vec3::Zero());
-  topology_known_ = false;
+  dv_.clear();
 }
 
 bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
@@ -54,12 +59,11 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
   externalForces(time + time_step);
   for (int c = 0; c < mesh_.numCopies(); ++c)
     if (held_[c] >= 0) dv_[c] = conditions_.holds[held_[c]].velocity - motion->v[c];
-  stats_ = solver_->solve(
-      [&](const std::vector<Vec3>& dv, std::vector<Vec3>* r) { residual(time_step, *motion, dv, r); }, &dv_);
+  stats_ = solve(time_step, *motion);
   times_.solve = millisecondsSince(solving);
 
   const auto updating = std::chrono::steady_clock::now();
-  if (!allFinite(dv_)) {
+  if (!stats_.converged || !allFinite(dv_)) {
     dv_.assign(dv_.size(), Vec3::Zero());
     return false;
   }
@@ -72,21 +76,46 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
 }
 
 void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
-  const bool same_factors = topology_known_ && time_step == matrix_time_step_;
-  if (!same_factors) {
+  const bool new_pattern = !topology_known_ || time_step != matrix_time_step_;
+  if (!new_pattern && matrix_known_ && !assembly_.warping()) return;
+  matrix_known_ = prepare(fallback_steps_ > 0 ? fallback_.get() : solver_.get(), new_pattern, time_step, motion);
+  topology_known_ = true;
+  matrix_time_step_ = time_step;
+}
+
+bool ImplicitStep::prepare(LinearSolver* solver, bool new_pattern, double time_step, const Motion& motion) {
+  if (new_pattern) {
     const Material& material = assembly_.material();
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
     int pieces = 0;
-    solver_->topologyChanged(
+    solver->topologyChanged(
         assembly_, held, mesh_.copyPieces(&pieces),
         {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
-    topology_known_ = true;
-    matrix_time_step_ = time_step;
-  } else if (matrix_known_ && !assembly_.warping()) {
-    return;
   }
-  matrix_known_ = solver_->matrixChanged(motion.x);
+  return solver->matrixChanged(motion.x);
+}
+
+SolveStats ImplicitStep::solve(double time_step, const Motion& motion) {
+  double reach = 0;
+  for (const Vec3& x : motion.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
+  rounding_.resize(force_rounding_.size());
+  for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step * reach * force_rounding_[c];
+  const Residual r = [&](const std::vector<Vec3>& dv, std::vector<Vec3>* at) { residual(time_step, motion, dv, at); };
+
+  if (fallback_steps_ > 0) {
+    if (--fallback_steps_ == 0) topology_known_ = false;
+    return fallback_->solve(r, rounding_, &dv_);
+  }
+  SolveStats stats = solver_->solve(r, rounding_, &dv_);
+  if (stats.converged) return stats;
+  if (!fallback_) fallback_ = std::make_unique<DirectSolver>();
+  fallback_steps_ = FALLBACK_STEPS;
+  if (!prepare(fallback_.get(), true, time_step, motion)) return stats;
+  const int iterations = stats.iterations;
+  stats = fallback_->solve(r, rounding_, &dv_);
+  stats.iterations = iterations;
+  return stats;
 }
 
 /// M g and the tractions, as they stand at the end of the step.

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "incision/fem/parallel.h"
 
@@ -13,8 +14,8 @@ namespace {
 /// and a fresh residual does better.
 constexpr int MAX_ITERATIONS = 400;
 
-/// Runs of conjugate gradients, each from a residual in double. Each gains two to five digits.
-constexpr int MAX_RUNS = 8;
+/// A run must leave less than this of the residual to be followed by another: float has lost what it does not gain.
+constexpr double MIN_PROGRESS = 0.3;
 
 /// What one run may gain at most: float vectors know no more.
 constexpr double MIN_GAIN = 1e-5;
@@ -33,14 +34,8 @@ void IterativeSolver::topologyChanged(const Assembly& assembly, const std::vecto
   const std::vector<double> diagonal = diagonalScale(assembly, factors);
   const int rows = pattern_.rows();
   scale_.resize(rows);
-  piece_.resize(rows);
-  piece_mass_.assign(piece.empty() ? 0 : 1 + *std::max_element(piece.begin(), piece.end()), 0);
-  for (int i = 0; i < rows; ++i) {
-    const int copy = pattern_.copies[i];
-    scale_[i] = 1 / std::sqrt(diagonal[copy]);
-    piece_[i] = piece[copy];
-    piece_mass_[piece_[i]] += assembly.masses()[copy];
-  }
+  for (int i = 0; i < rows; ++i) scale_[i] = 1 / std::sqrt(diagonal[pattern_.copies[i]]);
+  norms_.topologyChanged(assembly, pattern_.copies, piece, diagonal);
   inverse_diagonal_.resize(rows);
   for (auto* v : {&y_, &r_, &z_}) v->assign(rows, Vec3::Zero());
   for (auto* v : {&p_, &Ap_}) v->assign(rows, Eigen::Vector4f::Zero());
@@ -59,7 +54,8 @@ bool IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
   return true;
 }
 
-SolveStats IterativeSolver::solve(const Residual& residual, std::vector<Vec3>* dv) {
+SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<double>& rounding,
+                                  std::vector<Vec3>* dv) {
   SolveStats stats;
   if (pattern_.rows() == 0) return stats;
   std::vector<Vec3>& guess = z_;
@@ -69,23 +65,26 @@ SolveStats IterativeSolver::solve(const Residual& residual, std::vector<Vec3>* d
     value.setZero();
   }
   takeResidual(residual, *dv);
-  takeTargets();
-  const double from_zero = worstRatio();
-  if (from_zero == 0) return stats;
+  norms_.setRightHandSide(r_, rounding, tolerance_);
+  if (norms_.total() == 0) return stats;
+  const double from_zero = norms_.worstRatio(r_);
   for (int i = 0; i < pattern_.rows(); ++i) (*dv)[pattern_.copies[i]] = guess[i];
   takeResidual(residual, *dv);
-  stats.residual = worstRatio();
+  stats.residual = norms_.worstRatio(r_);
   if (!(stats.residual < from_zero)) {
     for (int c : pattern_.copies) (*dv)[c].setZero();
     takeResidual(residual, *dv);
     stats.residual = from_zero;
   }
-  for (int run = 0; run < MAX_RUNS && stats.residual > tolerance_; ++run) {
+  double before = std::numeric_limits<double>::infinity();
+  while (stats.residual > tolerance_ && stats.residual < MIN_PROGRESS * before) {
+    before = stats.residual;
     stats.iterations += iterate(std::max(MARGIN * tolerance_, MIN_GAIN * stats.residual));
     for (int i = 0; i < pattern_.rows(); ++i) (*dv)[pattern_.copies[i]] += scale_[i] * y_[i];
     takeResidual(residual, *dv);
-    stats.residual = worstRatio();
+    stats.residual = norms_.worstRatio(r_);
   }
+  stats.converged = stats.residual <= tolerance_;
   return stats;
 }
 
@@ -93,29 +92,6 @@ void IterativeSolver::takeResidual(const Residual& residual, const std::vector<V
   residual(dv, &nodal_residual_);
   parallelFor(pattern_.rows(), assembly_->threads(),
               [&](int i) { r_[i] = scale_[i] * nodal_residual_[pattern_.copies[i]]; });
-}
-
-/// From the residual at Δv = 0: each piece is measured by its own right-hand side, or by its mass's share of the whole
-/// where that is more, as in a piece at rest.
-void IterativeSolver::takeTargets() {
-  target_.assign(piece_mass_.size(), 0);
-  for (int i = 0; i < pattern_.rows(); ++i) target_[piece_[i]] += r_[i].squaredNorm();
-  double whole = 0, mass = 0;
-  for (std::size_t s = 0; s < target_.size(); ++s) {
-    whole += target_[s];
-    mass += piece_mass_[s];
-  }
-  for (std::size_t s = 0; s < target_.size(); ++s) target_[s] = std::max(target_[s], piece_mass_[s] / mass * whole);
-}
-
-/// The largest ‖r‖/‖b‖ over the pieces.
-double IterativeSolver::worstRatio() {
-  piece_sum_.assign(target_.size(), 0);
-  for (int i = 0; i < pattern_.rows(); ++i) piece_sum_[piece_[i]] += r_[i].squaredNorm();
-  double worst = 0;
-  for (std::size_t s = 0; s < target_.size(); ++s)
-    if (target_[s] > 0) worst = std::max(worst, piece_sum_[s] / target_[s]);
-  return std::sqrt(worst);
 }
 
 template <typename Function>
@@ -131,8 +107,6 @@ double IterativeSolver::sumOverAggregates(const Function& f) {
 int IterativeSolver::iterate(double target) {
   for (Vec3& y : y_) y.setZero();
   for (Eigen::Vector4f& p : p_) p.setZero();
-  double whole = 0;
-  for (double t : target_) whole += t;
   double rz = 0, beta = 0;
   for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
     const double next_rz = applyPreconditioner();
@@ -159,7 +133,7 @@ int IterativeSolver::iterate(double target) {
       r_[i] -= alpha * Ap_[i].head<3>().cast<double>();
       return r_[i].squaredNorm();
     });
-    if (rr <= target * target * whole && worstRatio() <= target) return iteration + 1;
+    if (std::sqrt(rr) <= target * norms_.total() && norms_.worstRatio(r_) <= target) return iteration + 1;
   }
   return MAX_ITERATIONS;
 }

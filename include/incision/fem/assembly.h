@@ -31,6 +31,9 @@ class Assembly {
   /// call at y = x + τ v gives f_int + τ K v.
   void elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const;
 
+  /// Bound on the rounding of elasticForces at each copy, by the largest coordinate of y [N/m].
+  std::vector<double> forceRounding() const;
+
   /// M w at every copy.
   void multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const;
 

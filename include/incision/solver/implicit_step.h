@@ -50,6 +50,8 @@ class ImplicitStep {
 
  private:
   void prepareMatrix(double time_step, const Motion& motion);
+  bool prepare(LinearSolver* solver, bool new_pattern, double time_step, const Motion& motion);
+  SolveStats solve(double time_step, const Motion& motion);
   void externalForces(double time);
   void residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r);
 
@@ -62,6 +64,9 @@ class ImplicitStep {
   std::vector<std::vector<Vec3>> load_forces_;  // of each load, by copy [N]
   bool topology_known_ = false, matrix_known_ = false;
   double matrix_time_step_ = 0;
+  std::unique_ptr<LinearSolver> fallback_;  // direct, from the first solve that did not converge on
+  int fallback_steps_ = 0;                  // how many more steps it takes
+  std::vector<double> force_rounding_, rounding_;
   std::vector<Vec3> dv_, external_, w_, y_, forces_, inertia_;
   SolveStats stats_;
   StepTimes times_;

@@ -7,7 +7,7 @@ namespace incision {
 
 /// Conjugate gradients on a float matrix of 3×3 blocks, scaled to a unit diagonal, with block Jacobi and an additive
 /// coarse space of rigid modes as preconditioner. The residual is reckoned in double from the forces, and the iteration
-/// restarted from it, until that is small enough: in each piece by itself, so that no small one is left unsolved.
+/// restarted from it, until that is small enough.
 class IterativeSolver : public LinearSolver {
  public:
   explicit IterativeSolver(double tolerance) : tolerance_(tolerance) {}
@@ -15,12 +15,10 @@ class IterativeSolver : public LinearSolver {
   void topologyChanged(const Assembly& assembly, const std::vector<bool>& held, const std::vector<int>& piece,
                        const SystemFactors& factors) override;
   bool matrixChanged(const std::vector<Vec3>& x) override;
-  SolveStats solve(const Residual& residual, std::vector<Vec3>* dv) override;
+  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, std::vector<Vec3>* dv) override;
 
  private:
   void takeResidual(const Residual& residual, const std::vector<Vec3>& dv);
-  void takeTargets();
-  double worstRatio();
   int iterate(double target);
   double applyPreconditioner();
   template <typename Function>
@@ -32,8 +30,7 @@ class IterativeSolver : public LinearSolver {
   Aggregates aggregates_;
   BlockPattern pattern_;
   std::vector<double> scale_;  // 1/√d of each row, d = trace(A_ii)/3
-  std::vector<int> piece_;     // of each row
-  std::vector<double> piece_mass_;
+  PieceNorms norms_;
   BlockAssembler<float> assembler_;
   std::vector<float> blocks_;
   std::vector<Mat3> inverse_diagonal_;
