@@ -24,7 +24,8 @@ const NodeComponents& ComponentFinder::find(int node) {
     }
   }
   link_.resize(found_.parts.size());
-  for (std::size_t i = 0; i < link_.size(); ++i) link_[i] = static_cast<int>(i);
+  index_.resize(mesh_.parts().size());
+  for (std::size_t i = 0; i < link_.size(); ++i) link_[i] = index_[found_.parts[i]] = static_cast<int>(i);
 
   for (int s = first; s < last; ++s) {
     const int e = topology.star[s], local = localNode(mesh_.mesh().elements[e], node);
@@ -57,10 +58,7 @@ int ComponentFinder::root(int i) {
 }
 
 void ComponentFinder::join(int part, int other) {
-  const auto index = [this](int p) {
-    return static_cast<int>(std::find(found_.parts.begin(), found_.parts.end(), p) - found_.parts.begin());
-  };
-  const int a = root(index(part)), b = root(index(other));
+  const int a = root(index_[part]), b = root(index_[other]);
   // The lower index stays the root, so components are numbered by their first part.
   link_[std::max(a, b)] = std::min(a, b);
 }

@@ -10,16 +10,29 @@ bool oppositeSides(const FaceSide& a, const FaceSide& b) { return a.crack == b.c
 
 const FacePolygon WHOLE_FACE = {FacePoint::UnitX(), FacePoint::UnitY(), FacePoint::UnitZ()};
 
-/// A facet on a face as weights of the listed local nodes, whose order sets the sense of rotation.
-FacePolygon onNodes(const Polytope& polytope, const Facet& facet, const std::array<int, 3>& nodes, bool reverse) {
+/// What one part owns of a face, with a box round it that tells most parts apart at once.
+struct Owned {
+  int part;
   FacePolygon polygon;
-  polygon.reserve(facet.corners.size());
+  FacePoint low, high;
+
+  bool mayMeet(const Owned& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
+};
+
+/// The part's region of a face as weights of the listed local nodes, whose order sets the sense of rotation.
+Owned owned(int part, const Polytope& polytope, const Facet& facet, const std::array<int, 3>& nodes, bool reverse) {
+  Owned region{part, {}, FacePoint::Ones(), FacePoint::Zero()};
+  region.polygon.reserve(facet.corners.size());
   for (int c : facet.corners) {
     const Barycentric& b = polytope.corners[c];
-    polygon.emplace_back(b[nodes[0]], b[nodes[1]], b[nodes[2]]);
+    region.polygon.emplace_back(b[nodes[0]], b[nodes[1]], b[nodes[2]]);
+    region.low = region.low.cwiseMin(region.polygon.back());
+    region.high = region.high.cwiseMax(region.polygon.back());
   }
-  if (reverse) std::reverse(polygon.begin(), polygon.end());
-  return polygon;
+  if (reverse) std::reverse(region.polygon.begin(), region.polygon.end());
+  return region;
 }
 
 }  // namespace
@@ -63,22 +76,26 @@ std::vector<FacePair> CutMesh::facePairs(int element, int face) const {
   if (across < 0) return pairs;
   int back = 0;
   while (topology_.neighbours[across][back] != element) ++back;
+  if (parts_[element].detail < 0 && parts_[across].detail < 0) return {{element, across, false, WHOLE_FACE}};
+
   const auto& nodes = FACE_NODES[face];
-  std::array<int, 3> same;  // the face's nodes, as the neighbour numbers them
+  std::array<int, 3> same{};  // the face's nodes, as the neighbour numbers them
   for (int i = 0; i < 3; ++i)
     for (int J = 0; J < 4; ++J)
       if (mesh_.elements[across][J] == mesh_.elements[element][nodes[i]]) same[i] = J;
-
-  for (int p = element; p >= 0; p = parts_[p].next)
-    for (int q = across; q >= 0; q = parts_[q].next) {
-      FacePair pair{p, q, severed(p, face, q, back), WHOLE_FACE};
-      if (parts_[p].detail >= 0 || parts_[q].detail >= 0) {
-        const Facet *at_p = polytope(p).onFace(face), *at_q = polytope(q).onFace(back);
-        if (!at_p || !at_q) continue;
-        pair.polygon = overlap(onNodes(polytope(p), *at_p, nodes, false), onNodes(polytope(q), *at_q, same, true));
-        if (faceShare(pair.polygon) <= MIN_OVERLAP) continue;
-      }
-      pairs.push_back(std::move(pair));
+  const auto regions = [this](int e, int f, const std::array<int, 3>& as, bool reverse) {
+    std::vector<Owned> found;
+    for (int p = e; p >= 0; p = parts_[p].next)
+      if (const Facet* facet = polytope(p).onFace(f)) found.push_back(owned(p, polytope(p), *facet, as, reverse));
+    return found;
+  };
+  const std::vector<Owned> here = regions(element, face, nodes, false), there = regions(across, back, same, true);
+  for (const Owned& p : here)
+    for (const Owned& q : there) {
+      if (!p.mayMeet(q)) continue;
+      FacePolygon common = overlap(p.polygon, q.polygon);
+      if (faceShare(common) > MIN_OVERLAP)
+        pairs.push_back({p.part, q.part, severed(p.part, face, q.part, back), std::move(common)});
     }
   return pairs;
 }

@@ -32,7 +32,8 @@ class ComponentFinder {
 
   const CutMesh& mesh_;
   NodeComponents found_;
-  std::vector<int> link_;  ///< union-find over found_.parts
+  std::vector<int> link_;   // union-find over found_.parts
+  std::vector<int> index_;  // of each part of the mesh in found_.parts, where it is in them
   std::unordered_map<long, std::vector<std::pair<int, int>>> faces_;
 };
 
