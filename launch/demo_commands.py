@@ -16,7 +16,7 @@ BLADE_LENGTH = 0.06    # [m] edge of config/scalpel.urdf, from the link's origin
 BLADE_WIDTH = 0.012    # [m] along x
 REACH = 0.4            # [m] from where the body hangs; what is farther away has fallen off
 SLAB = 0.015           # [m] half the thickness of a section
-SWEEP = 0.10           # [m] how far to each side of the body the blade starts and ends
+SWEEP = 0.08           # [m] how far to each side of the body the blade starts and ends
 SWEEP_SPEED = 0.08     # [m/s]
 STARTUP = 60           # [s] wall time to wait for the node
 REPORT_TIMEOUT = 20    # [s] wall time
@@ -171,9 +171,9 @@ def perform(body, duration):
     body.wait_until(2)
     body.cut('end', share=0.85, tilt=0.3)
     body.wait_until(4)
-    body.await_report(lambda: body.draw_blade(share=0.65))
+    body.await_report(lambda: body.draw_blade(share=0.75))
     body.wait_until(8)
-    body.cut('second incision', share=0.7, side=-0.05, size=0.08)
+    body.cut('second incision', share=0.6, side=-0.05, size=0.09)
     body.wait_until(duration)
 
 

@@ -9,7 +9,7 @@ void Agenda::insert(std::deque<Entry<T>>& entries, const T& action, Nanoseconds 
   if (stamp > 0 && stamp <= taken_) ++late_;
   const auto place = std::upper_bound(entries.begin(), entries.end(), stamp,
                                       [](Nanoseconds time, const Entry<T>& entry) { return time < entry.stamp; });
-  entries.insert(place, {stamp, action});
+  entries.insert(place, {stamp, arrivals_++, action});
 }
 
 template <class T>
@@ -35,11 +35,17 @@ std::optional<CutPlane> Agenda::add(const CutPlane& plane, Nanoseconds stamp) {
 void Agenda::add(const ToolPose& pose, Nanoseconds stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
   insert(poses_, pose, stamp);
-  if (poses_.size() <= MAX_WAITING_POSES) return;
-  std::deque<Entry<ToolPose>> kept;
-  for (std::size_t i = 0; i < poses_.size(); i += 2) kept.push_back(poses_[i]);
-  thinned_ += poses_.size() - kept.size();
-  poses_ = std::move(kept);
+  if (poses_.size() > MAX_WAITING_POSES) thinPoses();
+}
+
+/// Leaves out the pose that is missed least: the one with the closest neighbours, by arrival. Both ends stay.
+void Agenda::thinPoses() {
+  std::size_t closest = 1;
+  const auto gap = [this](std::size_t i) { return poses_[i + 1].arrival - poses_[i - 1].arrival; };
+  for (std::size_t i = 2; i + 1 < poses_.size(); ++i)
+    if (gap(i) < gap(closest)) closest = i;
+  poses_.erase(poses_.begin() + static_cast<std::ptrdiff_t>(closest));
+  ++thinned_;
 }
 
 std::vector<CutPlane> Agenda::takeCuts(Nanoseconds time) {

@@ -5,15 +5,17 @@ import math
 import sys
 import time
 import unittest
+import xmlrpc.client
 
 import rospy
-import rosnode
+import rosgraph
 import rostest
 from incision.msg import CutReport
 from incision_client import Client, cut_plane
 
 SECONDS = 10
 RATE = 1000  # bad messages a second
+MEMORY = 5   # [MB] the node may grow: the cuts and the lists it fills; the bad messages alone are 2 MB
 
 BAD = [cut_plane(label='bad', point=(math.nan, 0, 0)), cut_plane(label='bad', normal=(0, 0, 0)),
        cut_plane(label='bad', length=-1), cut_plane(label='bad', frame='nowhere'),
@@ -29,7 +31,8 @@ class Flood(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.client = Client()
-        cls.pid = rosnode.get_node_pid('/incision') if hasattr(rosnode, 'get_node_pid') else None
+        uri = rosgraph.Master('/flood_test').lookupNode('/incision')
+        cls.pid = xmlrpc.client.ServerProxy(uri).getPid('/flood_test')[2]
 
     def steps_per_second(self, during):
         first, start = self.client.next_state().step, time.monotonic()
@@ -39,7 +42,8 @@ class Flood(unittest.TestCase):
     def flood(self):
         start = time.monotonic()
         for second in range(SECONDS):
-            self.client.send(cut_plane(label=f'good {second}', point=(0.05 + 0.09 * second, 0, 0)))
+            # From the free end on, since what is cut off falls away.
+            self.client.send(cut_plane(label=f'good {second}', point=(0.95 - 0.09 * second, 0, 0)))
             for i in range(RATE):
                 self.client.send(BAD[i % len(BAD)])
                 ahead = start + second + i / RATE - time.monotonic()
@@ -48,8 +52,10 @@ class Flood(unittest.TestCase):
 
     def test_good_cuts_among_bad_ones(self):
         idle = self.steps_per_second(lambda: time.sleep(3))
+        memory = resident_mb(self.pid)
         flooded = self.steps_per_second(self.flood)
         self.assertGreater(flooded, 0.9 * idle)
+        self.assertLess(resident_mb(self.pid) - memory, MEMORY)
         good = self.client.wait_for(self.good_reports, 'the reports of all good cuts')
         self.assertEqual([CutReport.APPLIED] * SECONDS, [report.status for report in good])
         self.client.wait_for(lambda: self.rejected() == SECONDS * RATE, 'all bad messages to be counted')

@@ -16,16 +16,16 @@ from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
 START, DURATION = 1000.0, 3.0  # [s] of the clock
-CUTS = {0.503: ('body', 0.26), 1.234: ('knife', 0.0), 2.117: ('knife', 0.0)}  # time: frame, x in it
+CUTS = {0.503: ('body', 0.81), 1.234: ('knife', 0.0), 2.117: ('knife', 0.0)}  # time: frame, x in it
 
 
 def knife(time):
-    """A frame that moves along the bar."""
+    """A frame that moves along the bar, from its free end on."""
     transform = TransformStamped()
     transform.header.stamp = rospy.Time.from_sec(START + time)
     transform.header.frame_id = 'body'
     transform.child_frame_id = 'knife'
-    transform.transform.translation.x = 0.2 + 0.25 * time
+    transform.transform.translation.x = 0.9 - 0.25 * time
     transform.transform.rotation.z = math.sin(0.1 * time)
     transform.transform.rotation.w = math.cos(0.1 * time)
     return TFMessage([transform])

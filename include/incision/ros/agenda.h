@@ -12,8 +12,8 @@ namespace incision {
 /// Most cuts that may wait for their step: more than anyone plans ahead, and little memory.
 inline constexpr std::size_t MAX_WAITING_CUTS = 1000;
 
-/// Most tool poses kept between two steps. A longer path is thinned to every second pose: 256 still follow any path a
-/// hand can take in the time of one step.
+/// Most tool poses kept between two steps. A longer path is thinned evenly: 256 poses still follow any path a hand can
+/// take in the time of one step.
 inline constexpr std::size_t MAX_WAITING_POSES = 256;
 
 /// Commands in the body's frame that wait for the step before which they take effect, ordered by stamp and then by
@@ -39,16 +39,19 @@ class Agenda {
   template <class T>
   struct Entry {
     Nanoseconds stamp;
+    std::int64_t arrival;  ///< counts up
     T action;
   };
   template <class T>
   void insert(std::deque<Entry<T>>& entries, const T& action, Nanoseconds stamp);
+  void thinPoses();
   template <class T>
   std::vector<T> take(std::deque<Entry<T>>& entries, Nanoseconds time);
 
   mutable std::mutex mutex_;
   std::deque<Entry<CutPlane>> cuts_;
   std::deque<Entry<ToolPose>> poses_;
+  std::int64_t arrivals_ = 0;
   Nanoseconds taken_ = 0;
   std::uint64_t late_ = 0, thinned_ = 0;
 };
