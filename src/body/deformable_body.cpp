@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 #include "incision/mesh/input_error.h"
 #include "incision/solver/implicit_step.h"
@@ -24,6 +25,10 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 ToolPose between(const ToolPose& a, const ToolPose& b, double s) {
   return {(1 - s) * a.position + s * b.position, a.orientation.slerp(s, b.orientation)};
+}
+
+bool movedLess(const Edge& from, const Edge& to, double distance) {
+  return (to[0] - from[0]).norm() < distance && (to[1] - from[1]).norm() < distance;
 }
 
 /// 64-bit FNV-1a.
@@ -54,6 +59,8 @@ struct DeformableBody::State {
         mesh(std::move(rest)),
         step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
     if (scene.tool) edge = bladeEdge(*scene.tool, urdf, scene.tool->description);
+    for (std::size_t n = 0; n < mesh.mesh().nodes.size(); ++n)
+      least_motion = std::min(least_motion, SNAP * mesh.shortestEdge(static_cast<int>(n)));
     start();
   }
 
@@ -71,8 +78,9 @@ struct DeformableBody::State {
   ImplicitStep step;
   Motion motion, before;  // `before`: the state to which a failed step returns
   std::int64_t steps = 0;
-  std::deque<ScheduledCut> scheduled;  // by time; equal times in the order they came
-  Edge edge;                           // of the blade, in its link's frame
+  std::deque<ScheduledCut> scheduled;                             // by time; equal times in the order they came
+  Edge edge;                                                      // of the blade, in its link's frame
+  double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
   std::optional<ToolPose> tool_pose;
   Stroke stroke;
   CutResult stroke_result;
@@ -137,6 +145,7 @@ CutResult DeformableBody::State::cut(const CutPlane& plane) {
 }
 
 std::optional<CutResult> DeformableBody::State::moveTool(const ToolPose& pose) {
+  if (tool_pose && movedLess(placed(edge, *tool_pose), placed(edge, pose), least_motion)) return std::nullopt;
   const std::optional<ToolPose> last = std::exchange(tool_pose, pose);
   if (!last) return std::nullopt;
   const auto start_time = Clock::now();

@@ -27,6 +27,19 @@ Barycentric inElement(const FacePoint& point, int face) {
   return b;
 }
 
+/// How positive a component is at a crack, by its parts that hold the node: the better of two has the higher highest
+/// side, or as high a one and the higher lowest.
+struct Rank {
+  int highest = -2, lowest = 2;  // holds nothing
+  void add(int side) {
+    highest = std::max(highest, side);
+    lowest = std::min(lowest, side);
+  }
+  bool operator>(const Rank& other) const {
+    return highest != other.highest ? highest > other.highest : lowest > other.lowest;
+  }
+};
+
 }  // namespace
 
 struct CutMesh::SplitPart {
@@ -84,7 +97,7 @@ void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* pl
   const std::vector<signed char> signs = cornerSigns(polytope(part), phi, zero);
   if (!bothSigns(signs)) return;
   std::optional<Split> halves = split(polytope(part), phi, signs, plan->crack);
-  if (!halves || coincidesWithCut(part, halves->section)) return;
+  if (!halves || coincidesWithCut(part, halves->section, phi)) return;
   if (crack.contains && !crack.contains(part, polygonCentroid(halves->section))) {
     ++done->out_of_bounds;
     return;
@@ -110,8 +123,10 @@ void CutMesh::planSever(const CrackField& crack, int part, Plan* plan) const {
   }
 }
 
-/// Whether a section lies everywhere within snap of one face along which the part was cut before.
-bool CutMesh::coincidesWithCut(int part, const std::vector<Barycentric>& section) const {
+/// Whether a section lies everywhere within snap of one face along which the part was cut before, and that face within
+/// snap of the crack: a small section near an edge of the part is close to a face that it crosses at any angle, and the
+/// neighbours across must decide alike.
+bool CutMesh::coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const {
   if (parts_[part].detail < 0) return false;
   const std::array<int, 4>& nodes = mesh_.elements[parts_[part].element];
   const auto place = [&](const Barycentric& b) {
@@ -126,15 +141,17 @@ bool CutMesh::coincidesWithCut(int part, const std::vector<Barycentric>& section
     const bool severed_face = std::any_of(cut.face_sides.begin(), cut.face_sides.end(),
                                           [&](const FaceSide& side) { return side.face == facet.face; });
     if (facet.face >= 0 && !severed_face) continue;
-    const Vec3 base = place(cut.polytope.corners[facet.corners[0]]);
+    const auto corner = [&](std::size_t i) -> const Barycentric& { return cut.polytope.corners[facet.corners[i]]; };
+    const Vec3 base = place(corner(0));
     Vec3 normal = Vec3::Zero();
-    for (std::size_t i = 2; i < facet.corners.size(); ++i)
-      normal += (place(cut.polytope.corners[facet.corners[i - 1]]) - base)
-                    .cross(place(cut.polytope.corners[facet.corners[i]]) - base);
+    bool within = true;
+    for (std::size_t i = 0; i < facet.corners.size(); ++i) {
+      within = within && std::abs(phi.dot(corner(i))) < SNAP * edge;
+      if (i >= 2) normal += (place(corner(i - 1)) - base).cross(place(corner(i)) - base);
+    }
     normal.stableNormalize();
-    if (std::all_of(section.begin(), section.end(),
-                    [&](const Barycentric& b) { return std::abs(normal.dot(place(b) - base)) < SNAP * edge; }))
-      return true;
+    for (const Barycentric& b : section) within = within && std::abs(normal.dot(place(b) - base)) < SNAP * edge;
+    if (within) return true;
   }
   return false;
 }
@@ -208,19 +225,19 @@ void CutMesh::reconnect(std::vector<int> nodes, const std::vector<std::pair<int,
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const std::unordered_map<int, int> side_of(sides.begin(), sides.end());
   ComponentFinder finder(*this);
-  std::vector<int> old_copy, rank, keeper;
+  std::vector<int> old_copy, new_copy, keeper;
+  std::vector<Rank> rank;
   for (int node : nodes) {
     const NodeComponents& found = finder.find(node);
     if (found.count == 1) continue;
-    constexpr int NOT_HELD = -2;
     old_copy.assign(found.count, -1);
-    rank.assign(found.count, NOT_HELD);
+    rank.assign(found.count, Rank());
     for (std::size_t i = 0; i < found.parts.size(); ++i) {
       const int part = found.parts[i], c = found.component[i];
       old_copy[c] = parts_[part].copies[found.local_node[i]];
       if (old_copy[c] != own_copy_[node] || !holdsNode(part, found.local_node[i])) continue;
       const auto side = side_of.find(part);
-      rank[c] = std::max(rank[c], side == side_of.end() ? 0 : side->second);
+      rank[c].add(side == side_of.end() ? 0 : side->second);
     }
     keeper.clear();  // the first component of the highest rank, for each old copy
     for (int c = 0; c < found.count; ++c) {
@@ -230,7 +247,7 @@ void CutMesh::reconnect(std::vector<int> nodes, const std::vector<std::pair<int,
       else if (rank[c] > rank[*same])
         *same = c;
     }
-    std::vector<int>& new_copy = rank;
+    new_copy.resize(found.count);
     for (int c = 0; c < found.count; ++c) {
       new_copy[c] = old_copy[c];
       if (std::find(keeper.begin(), keeper.end(), c) != keeper.end()) continue;

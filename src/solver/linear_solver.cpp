@@ -51,8 +51,11 @@ double PieceNorms::worstRatio(const std::vector<Vec3>& r) {
   sum_.assign(mass_.size(), 0);
   for (std::size_t i = 0; i < rows_.size(); ++i) sum_[piece_[i]] += r[i].squaredNorm();
   double worst = 0;
-  for (std::size_t s = 0; s < mass_.size(); ++s)
-    if (!(sum_[s] <= worst * measure_[s])) worst = sum_[s] / measure_[s];
+  for (std::size_t s = 0; s < mass_.size(); ++s) {
+    if (sum_[s] <= worst * measure_[s]) continue;
+    worst = sum_[s] / measure_[s];
+    if (!std::isfinite(worst)) break;
+  }
   return std::sqrt(worst);
 }
 

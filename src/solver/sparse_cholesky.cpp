@@ -63,6 +63,7 @@ struct SparseCholesky::Cholmod {
     cholmod_start(&common);
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
+    common.final_ll = 1;  // never L D Lᵀ, which accepts indefinite matrices
   }
   ~Cholmod() {
     cholmod_free_factor(&factor, &common);

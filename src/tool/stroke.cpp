@@ -12,6 +12,10 @@ namespace {
 /// than this moves by less than the element's snap.
 constexpr std::size_t MAX_TRIANGLES = 1024;
 
+/// Twice the area of a sweep, as a share of the edge's length squared, below which it has no direction: the edge moved
+/// along itself.
+constexpr double MIN_SWEEP = 1e-9;
+
 /// Rim of a triangle, as a share of it, that counts as inside: consecutive sweeps share an edge, and a point on it must
 /// not fall between.
 constexpr double RIM = 1e-9;
@@ -64,6 +68,9 @@ bool isAbove(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& point) {
 }  // namespace
 
 Insertion Stroke::sweep(const Edge& from, const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh) {
+  const Vec3 area = (to[1] - from[0]).cross(to[0] - from[1]);
+  if (area.norm() < MIN_SWEEP * (from[1] - from[0]).squaredNorm()) return {};
+  normal_ = area.dot(normal_) < 0 ? -area.normalized() : area.normalized();
   record(from, to, x, *mesh);
   if (met_.empty()) return {};
   CrackField crack = field(from, to, x, *mesh);
@@ -110,11 +117,8 @@ void Stroke::record(const Edge& from, const Edge& to, const std::vector<Vec3>& x
 }
 
 /// Distances kept where the stroke owns them, elsewhere those from the plane of this sweep.
-CrackField Stroke::field(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
+CrackField Stroke::field(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const {
   const Vec3 centre = (from[0] + from[1] + to[0] + to[1]) / 4;
-  Vec3 n = (to[1] - from[0]).cross(to[0] - from[1]).stableNormalized();
-  if (n.dot(normal_) < 0) n = -n;
-  if (n.squaredNorm() > 0) normal_ = n;
   CrackField crack;
   crack.crack = crack_;
   crack.parts = met_;

@@ -115,7 +115,7 @@ class CutMesh {
   void planSever(const CrackField& crack, int part, Plan* plan) const;
   void checkLimits(const Plan& plan) const;
   bool severed(int part, int face, int other, int other_face) const;
-  bool coincidesWithCut(int part, const std::vector<Barycentric>& section) const;
+  bool coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const;
   void apply(Plan&& plan);
   CutPart& makeDetail(int part);
   void reconnect(std::vector<int> nodes, const std::vector<std::pair<int, int>>& sides);

@@ -25,7 +25,7 @@ class Stroke {
   using Triangle = std::array<Barycentric, 3>;
 
   void record(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
-  CrackField field(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
+  CrackField field(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const;
   bool covers(int part, const Barycentric& point, const std::vector<Vec3>& x, const CutMesh& mesh) const;
 
   int crack_ = -1;
