@@ -89,7 +89,7 @@ TEST(Tractions, NeedAllNodesOfAFaceInTheBox) {
 std::vector<int> heldOfPieces(const CutMesh& mesh, const std::vector<Hold>& holds) {
   int pieces = 0;
   const std::vector<int> piece = mesh.copyPieces(&pieces);
-  const std::vector<int> held = heldCopies(mesh, heldNodes(mesh.mesh(), holds));
+  const std::vector<int> held = heldCopies(mesh, holds, heldNodes(mesh.mesh(), holds));
   std::vector<int> count(pieces, 0);
   for (int c = 0; c < mesh.numCopies(); ++c) count[piece[c]] += held[c] >= 0;
   return count;
