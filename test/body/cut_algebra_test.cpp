@@ -145,17 +145,17 @@ class PatchTest : public ::testing::TestWithParam<std::vector<CutPlane>> {
 
   static Vec3 exact(const Vec3& X) { return TENSION / E * Vec3(X.x(), -POISSON * X.y(), -POISSON * X.z()); }
 
-  static RigSettings settings(bool warping) {
+  static RigSettings settings(bool warping, double time_step) {
     RigSettings settings;
     settings.material = {E, POISSON, 1000, 0, 0};
     settings.warping = warping;
-    settings.solver.time_step = 1;
+    settings.solver.time_step = time_step;
     settings.conditions.loads = {{slab(0, 0), Vec3(-TENSION, 0, 0), 0}, {slab(0, 1), Vec3(TENSION, 0, 0), 0}};
     return settings;
   }
 
   struct Block : Rig {
-    explicit Block(bool warping) : Rig(block({4, 3, 3}, Vec3(1, 0.75, 0.6)), settings(warping)) {
+    Block(bool warping, double dt) : Rig(block({4, 3, 3}, Vec3(1, 0.75, 0.6)), settings(warping, dt)) {
       for (const CutPlane& plane : GetParam()) EXPECT_TRUE(cut(plane).changed());
     }
   };
@@ -191,8 +191,9 @@ class PatchTest : public ::testing::TestWithParam<std::vector<CutPlane>> {
 };
 
 TEST_P(PatchTest, ExactAnswerIsInEquilibrium) {
+  // Steps below the period in which tension turns the block back: what turns a warped part is explicit in time.
   for (const bool warping : {false, true}) {
-    Block rig(warping);
+    Block rig(warping, 0.01);
     const std::vector<Vec3> u = exactDisplacements(rig.mesh);
     for (std::size_t c = 0; c < u.size(); ++c) rig.motion.x[c] += u[c];
     for (int i = 0; i < 5; ++i) ASSERT_TRUE(rig.advance());
@@ -204,7 +205,7 @@ TEST_P(PatchTest, ExactAnswerIsInEquilibrium) {
 }
 
 TEST_P(PatchTest, ExactAnswerIsFoundFromRest) {
-  Block rig(false);
+  Block rig(false, 1);
   // The slowest mode, of some 40 rad/s, loses a factor of 40 a step of a second.
   for (int i = 0; i < 12; ++i) ASSERT_TRUE(rig.advance());
   EXPECT_LT(errorOfShape(rig), TOLERANCE * largest(exactDisplacements(rig.mesh)));

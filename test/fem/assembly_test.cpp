@@ -55,7 +55,7 @@ TEST(ElasticForces, AreTheSlopeOfTheEnergy) {
   }
 }
 
-TEST(ElasticForces, HaveNoSumAndNoMomentWithoutWarping) {
+TEST(ElasticForces, HaveNoSumAndNoMoment) {
   Jumble jumble(Mass::LUMPED, true, 0.05);
   std::vector<Vec3> forces;
   jumble.assembly.elasticForces(jumble.rig.motion.x, &forces);

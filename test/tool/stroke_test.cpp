@@ -177,7 +177,6 @@ TEST_F(StrokeTest, RoundACurveSeparatesNearIt) {
   }
 }
 
-// A stroke under way counts as begun, so these are seen before the blade moves on.
 TEST_F(StrokeTest, AtRestDoesNothing) {
   for (int k = 0; k < 5; ++k) place(0.4, Y);
   expectUncut();
