@@ -1,0 +1,81 @@
+#include "incision/solver/aggregates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/rig.h"
+
+namespace incision {
+namespace {
+
+struct Body {
+  const char* name;
+  std::array<int, 3> cells;
+  std::vector<CutPlane> cuts;
+};
+
+const CutPlane HALVES = plane(Vec3(0.48, 0.5, 0.5), Vec3(1, 0.2, 0.1));
+const CutPlane FRAGMENT = plane(Vec3(0.01, 0, 0), Vec3::Ones());
+
+std::vector<CutPlane> slices(int count) {
+  std::vector<CutPlane> cuts;
+  for (int k = 1; k < count; ++k)
+    cuts.push_back(plane(Vec3(k / static_cast<double>(count), 0, 0), Vec3(1, 0.05, 0.02)));
+  return cuts;
+}
+
+class Grouping : public ::testing::TestWithParam<Body> {
+ protected:
+  Grouping() : mesh(block(GetParam().cells, Vec3::Ones())) {
+    for (const CutPlane& cut : GetParam().cuts)
+      EXPECT_TRUE(mesh.insert(planeField(cut, mesh, restPositions(mesh))).changed());
+    for (int c = 0; c < mesh.numCopies(); ++c) held.push_back(mesh.mesh().nodes[mesh.copyNode(c)].z() == 0);
+    groups = aggregate(mesh, held);
+  }
+  CutMesh mesh;
+  std::vector<bool> held;
+  Aggregates groups;
+};
+
+TEST_P(Grouping, CoversEveryFreeCopyOnce) {
+  std::vector<int> found = groups.copies, expected;
+  for (int c = 0; c < mesh.numCopies(); ++c)
+    if (!held[c]) expected.push_back(c);
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(groups.start.front(), 0);
+  EXPECT_EQ(groups.start.back(), static_cast<int>(groups.copies.size()));
+  for (int a = 0; a < groups.count(); ++a) EXPECT_LT(groups.start[a], groups.start[a + 1]);
+}
+
+TEST_P(Grouping, SpansNoTwoPieces) {
+  int pieces = 0;
+  const std::vector<int> piece = mesh.copyPieces(&pieces);
+  for (int a = 0; a < groups.count(); ++a)
+    for (int i = groups.start[a]; i < groups.start[a + 1]; ++i)
+      EXPECT_EQ(piece[groups.copies[i]], piece[groups.copies[groups.start[a]]]);
+}
+
+TEST_P(Grouping, MakesGroupsOfAUsefulSize) {
+  EXPECT_GE(groups.count(), static_cast<int>(groups.copies.size()) / 128);
+  for (int a = 0; a < groups.count(); ++a) EXPECT_LE(groups.start[a + 1] - groups.start[a], 128);
+}
+
+TEST_P(Grouping, IsTheSameAgain) {
+  const Aggregates again = aggregate(mesh, held);
+  EXPECT_EQ(again.copies, groups.copies);
+  EXPECT_EQ(again.start, groups.start);
+}
+
+std::string bodyName(const ::testing::TestParamInfo<Body>& test) { return test.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Aggregates, Grouping,
+                         ::testing::Values(Body{"Element", {1, 1, 1}, {}}, Body{"Block", {8, 8, 8}, {}},
+                                           Body{"Halves", {6, 6, 6}, {HALVES}},
+                                           Body{"Fragment", {6, 6, 6}, {HALVES, FRAGMENT}},
+                                           Body{"SlicesInOneCell", {1, 4, 4}, slices(6)}),
+                         bodyName);
+
+}  // namespace
+}  // namespace incision
