@@ -29,7 +29,7 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass m
       conditions_(conditions),
       settings_(settings),
       assembly_(mesh, material, mass, warping, settings.threads),
-      solver_(makeLinearSolver(settings, mesh.numCopies())),
+      solver_(makeLinearSolver(settings)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
 
 void ImplicitStep::topologyChanged(const Motion& motion) {

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incision/solver/direct_solver.h"
-#include "incision/solver/iterative_solver.h"
+#include "incision/solver/piecewise_solver.h"
 
 namespace incision {
 namespace {
 
-/// Up to this many copies a factorisation is as quick as the iteration.
+/// Up to this many free copies in a piece a factorisation is as quick as the iteration.
 constexpr int DIRECT_UP_TO = 300;
+
+/// With `method: iterative`, pieces no larger than one aggregate: the coarse space would solve them anyway.
+constexpr int ONE_AGGREGATE = 64;
 
 }  // namespace
 
@@ -59,10 +61,10 @@ double PieceNorms::worstRatio(const std::vector<Vec3>& r) {
   return std::sqrt(worst);
 }
 
-std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, int copies) {
-  const bool direct = settings.method == Method::DIRECT || (settings.method == Method::AUTO && copies <= DIRECT_UP_TO);
-  if (direct) return std::make_unique<DirectSolver>();
-  return std::make_unique<IterativeSolver>(settings.tolerance);
+std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings) {
+  if (settings.method == Method::DIRECT) return std::make_unique<DirectSolver>();
+  return std::make_unique<PiecewiseSolver>(settings.tolerance,
+                                           settings.method == Method::AUTO ? DIRECT_UP_TO : ONE_AGGREGATE);
 }
 
 }  // namespace incision

@@ -64,7 +64,6 @@ class PieceNorms {
   double total_ = 0;
 };
 
-/// `copies`: of the body, by which AUTO chooses.
-std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, int copies);
+std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings);
 
 }  // namespace incision
