@@ -104,8 +104,9 @@ TEST(Part, CornersOnAFaceHaveAnExactZeroThere) {
     const Split halves = halve(wholeElement(), phi);
     for (const Polytope* half : {&halves.positive, &halves.negative})
       for (const Facet& facet : half->facets)
-        if (facet.face >= 0)
+        if (facet.face >= 0) {
           for (int c : facet.corners) EXPECT_EQ(half->corners[c][facet.face], 0);
+        }
   }
 }
 

@@ -9,17 +9,18 @@
 
 namespace incision::test {
 
-/// Every edge of a triangle is an edge of exactly one other triangle, run the other way.
+/// Every edge of a triangle is run as often one way as the other. (More than once each way only inside a crack that has
+/// not opened there, between two points of its fringe.)
 inline void expectClosed(const Surface& surface) {
   std::map<std::pair<int, int>, int> runs;
   for (const auto& t : surface.triangles)
-    for (int i = 0; i < 3; ++i) ++runs[{t[i], t[(i + 1) % 3]}];
-  int faults = 0;
-  for (const auto& [edge, count] : runs) {
-    const auto back = runs.find({edge.second, edge.first});
-    faults += count != 1 || back == runs.end() || back->second != 1;
-  }
-  EXPECT_EQ(faults, 0) << "of " << runs.size() << " edges";
+    for (int i = 0; i < 3; ++i) {
+      ++runs[{t[i], t[(i + 1) % 3]}];
+      --runs[{t[(i + 1) % 3], t[i]}];
+    }
+  int open = 0;
+  for (const auto& [edge, balance] : runs) open += balance != 0;
+  EXPECT_EQ(open, 0) << "of " << runs.size() << " edges";
 }
 
 /// Σ_p V_p det F_p [m³]: what the parts fill where the copies stand at `x`.
