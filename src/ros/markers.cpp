@@ -32,8 +32,8 @@ Marker emptyMarker(const std::string& what, int id, const std_msgs::ColorRGBA& c
 visualization_msgs::MarkerArray toMarkers(const Surface& surface, const std::vector<Vec3>& x, const std::string& frame,
                                           const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
-  array.markers = {emptyMarker("skin", 0, colour(0.80F, 0.36F, 0.33F), frame, stamp),
-                   emptyMarker("cut faces", 1, colour(0.95F, 0.72F, 0.55F), frame, stamp)};
+  array.markers = {emptyMarker("skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
+                   emptyMarker("cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
   const std::vector<Vec3> positions = surfacePositions(surface, x);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (const int vertex : surface.triangles[t])
