@@ -43,7 +43,11 @@ IncisionNode::IncisionNode()
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, agenda_, reporter_, wakeup_),
       spinner_(1) {
-  reporter_.setPieces(body_.counts().pieces);
+  const BodyCounts counts = body_.counts();
+  reporter_.setPieces(counts.pieces);
+  // Also because roscpp registers the node once more at its first message: were that the one that a node of the same
+  // name has taken over, the master would end both.
+  ROS_INFO_STREAM("a body of " << counts.elements << " elements in frame \"" << settings_.scene.body.frame << "\"");
   if (auto* pacer = dynamic_cast<ClockPacer*>(pacer_.get()))
     clock_ = node_.subscribe<rosgraph_msgs::Clock>(
         "/clock", CLOCK_QUEUE, [this, pacer](const rosgraph_msgs::Clock::ConstPtr& message) {
