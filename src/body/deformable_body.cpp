@@ -175,9 +175,9 @@ std::optional<CutResult> DeformableBody::State::endStroke() {
   if (!stroke.begun()) return std::nullopt;
   CutResult result = std::exchange(stroke_result, CutResult());
   stroke = Stroke();
+  if (result.status == CutStatus::MISSED) return std::nullopt;  // it grazed the body
   result.label = "tool";
   result.pieces = pieces;
-  if (result.status == CutStatus::MISSED) result.reason = "the stroke passed no section's centre";
   return result;
 }
 

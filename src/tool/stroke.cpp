@@ -20,12 +20,17 @@ constexpr double MIN_SWEEP = 1e-9;
 /// not fall between.
 constexpr double RIM = 1e-9;
 
+/// How far outside an element, in its own coordinates, the sweep is followed. An element must be followed before the
+/// edge enters it: between two sweeps the tissue moves, and what it moves by would be missing from the swept surface.
+constexpr double MARGIN = 0.5;
+
 /// Map from the body to an element's coordinates as one part sees them.
 class PartFrame {
  public:
   PartFrame(const Part& part, const std::vector<Vec3>& x) : origin_(x[part.copies[0]]) {
-    for (int k = 0; k < 3; ++k) edges_.col(k) = x[part.copies[k + 1]] - origin_;
-    edges_.computeInverseWithCheck(inverse_, invertible_, 0.0);
+    Mat3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = x[part.copies[k + 1]] - origin_;
+    edges.computeInverseWithCheck(inverse_, invertible_, 0.0);
   }
   bool invertible() const { return invertible_; }
   Barycentric toElement(const Vec3& point) const {
@@ -34,11 +39,10 @@ class PartFrame {
     b[0] = 1 - b.tail<3>().sum();
     return b;
   }
-  Vec3 toBody(const Barycentric& b) const { return origin_ + edges_ * b.tail<3>(); }
 
  private:
   Vec3 origin_;
-  Mat3 edges_, inverse_;
+  Mat3 inverse_;
   bool invertible_ = false;
 };
 
@@ -48,21 +52,23 @@ Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x) {
   return box;
 }
 
-/// Whether all points lie beyond one face of the element.
-template <std::size_t N>
-bool outside(const std::array<Barycentric, N>& points) {
+/// Whether all points lie beyond one face of the element, by more than `margin`.
+bool outside(const std::array<Barycentric, 4>& points, double margin) {
   for (int I = 0; I < 4; ++I)
-    if (std::all_of(points.begin(), points.end(), [I](const Barycentric& b) { return b[I] < 0; })) return true;
+    if (std::all_of(points.begin(), points.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
   return false;
 }
 
-/// Whether the foot of a point on a triangle's plane lies in the triangle.
-bool isAbove(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& point) {
-  const Vec3 normal = (b - a).cross(c - a);
-  const double area = normal.squaredNorm();
-  const double wa = (c - b).cross(point - b).dot(normal), wb = (a - c).cross(point - c).dot(normal),
-               wc = (b - a).cross(point - a).dot(normal);
-  return area > 0 && std::min({wa, wb, wc}) >= -RIM * area;
+/// Whether a line through `point` along `direction` meets a triangle, all in an element's affine coordinates. Triangles
+/// that share an edge leave no gap between them, at whatever distance and angle they pass the point.
+bool isBehind(const std::array<Barycentric, 3>& triangle, const Barycentric& point, const Vec3& direction) {
+  std::array<double, 3> side;  // twice the areas that the point's image cuts the triangle's into
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 a = (triangle[i] - point).tail<3>(), b = (triangle[(i + 1) % 3] - point).tail<3>();
+    side[i] = a.cross(b).dot(direction);
+  }
+  const double area = side[0] + side[1] + side[2], rim = RIM * std::abs(area), sense = area < 0 ? -1 : 1;
+  return area != 0 && std::all_of(side.begin(), side.end(), [&](double s) { return sense * s >= -rim; });
 }
 
 }  // namespace
@@ -76,8 +82,8 @@ Insertion Stroke::sweep(const Edge& from, const Edge& to, const std::vector<Vec3
   CrackField crack = field(from, to, x, *mesh);
   std::vector<int> owned;
   crack.contains = [&](int part, const Barycentric& point) {
-    if (!covers(part, point, x, *mesh)) return false;
     const auto& copies = mesh->parts()[part].copies;
+    if (!covers(mesh->parts()[part], point, crack.phi)) return false;
     owned.insert(owned.end(), copies.begin(), copies.end());
     return true;
   };
@@ -91,29 +97,39 @@ Insertion Stroke::sweep(const Edge& from, const Edge& to, const std::vector<Vec3
   return done;
 }
 
-/// Remembers the swept surface in every element it may pass through.
+/// Remembers the swept surface in every element it may pass through. Each sweep starts where the last one left the
+/// element's material, so the surface has no gaps however the tissue moves under the blade.
 void Stroke::record(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
   met_.clear();
-  Eigen::AlignedBox3d swept;
+  ++sweeps_;
+  Eigen::AlignedBox3d reach;
   for (const Edge* edge : {&from, &to})
-    for (const Vec3& end : *edge) swept.extend(end);
-  int recorded = -1;  // parts of an element follow each other only by chance; one record an element is enough
+    for (const Vec3& end : *edge) reach.extend(end);
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const Part& part = mesh.parts()[p];
-    if (!swept.intersects(boxOf(part, x))) continue;
+    Eigen::AlignedBox3d box = boxOf(part, x);
+    const Vec3 room = MARGIN * box.sizes();
+    if (!reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room))) continue;
     const PartFrame frame(part, x);
     if (!frame.invertible()) continue;
-    const std::array<Barycentric, 4> corners = {frame.toElement(from[0]), frame.toElement(from[1]),
-                                                frame.toElement(to[1]), frame.toElement(to[0])};
-    if (outside(corners)) continue;
+    const ElementEdge start = {frame.toElement(from[0]), frame.toElement(from[1])};
+    const ElementEdge end = {frame.toElement(to[0]), frame.toElement(to[1])};
+    const std::array<Barycentric, 4> corners = {start[0], start[1], end[1], end[0]};
+    if (outside(corners, MARGIN)) continue;
     met_.push_back(static_cast<int>(p));
-    if (part.element == recorded) continue;
-    recorded = part.element;
-    std::deque<Triangle>& triangles = swept_[part.element];
-    triangles.push_back({corners[0], corners[1], corners[2]});
-    triangles.push_back({corners[0], corners[2], corners[3]});
-    while (triangles.size() > MAX_TRIANGLES) triangles.pop_front();
+    begun_ = begun_ || !outside(corners, 0);
+    Swept& swept = swept_[part.element];
+    if (swept.last_sweep == sweeps_) continue;  // by another part of the element
+    swept.add(swept.last_sweep == sweeps_ - 1 ? swept.edge : start, end);
+    swept.last_sweep = sweeps_;
   }
+}
+
+void Stroke::Swept::add(const ElementEdge& start, const ElementEdge& end) {
+  triangles.push_back({start[0], start[1], end[1]});
+  triangles.push_back({start[0], end[1], end[0]});
+  while (triangles.size() > MAX_TRIANGLES) triangles.pop_front();
+  edge = end;
 }
 
 /// Distances kept where the stroke owns them, elsewhere those from the plane of this sweep.
@@ -135,13 +151,15 @@ CrackField Stroke::field(const Edge& from, const Edge& to, const std::vector<Vec
   return crack;
 }
 
-bool Stroke::covers(int part, const Barycentric& point, const std::vector<Vec3>& x, const CutMesh& mesh) const {
-  const auto found = swept_.find(mesh.parts()[part].element);
+/// Whether the sweep so far passed the point of a part, seen along the gradient of φ.
+bool Stroke::covers(const Part& part, const Barycentric& point, const std::vector<double>& phi) const {
+  const auto found = swept_.find(part.element);
   if (found == swept_.end()) return false;
-  const PartFrame frame(mesh.parts()[part], x);
-  return std::any_of(found->second.begin(), found->second.end(), [&](const Triangle& t) {
-    return isAbove(frame.toBody(t[0]), frame.toBody(t[1]), frame.toBody(t[2]), frame.toBody(point));
-  });
+  Vec3 across;
+  for (int k = 0; k < 3; ++k) across[k] = phi[part.copies[k + 1]] - phi[part.copies[0]];
+  const std::deque<Triangle>& triangles = found->second.triangles;
+  return std::any_of(triangles.begin(), triangles.end(),
+                     [&](const Triangle& triangle) { return isBehind(triangle, point, across); });
 }
 
 bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh) {

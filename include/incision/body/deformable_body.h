@@ -75,7 +75,7 @@ class DeformableBody {
   void schedule(const ScheduledCut& cut);
 
   /// Sweeps the blade from its last pose to this one, cutting what it crosses; the first pose only places it. Returns a
-  /// result when the blade has left the body and so ended a stroke. Needs a scene with a tool.
+  /// result when the blade has left the body and so ended a stroke that cut something. Needs a scene with a tool.
   std::optional<CutResult> moveTool(const ToolPose& pose);
 
   /// Forgets where the blade was, so that the next pose only places it; ends the stroke under way.

@@ -19,20 +19,31 @@ class Stroke {
   Insertion sweep(const Edge& from, const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh);
 
   /// Whether the stroke has met any part of the body.
-  bool begun() const { return !swept_.empty(); }
+  bool begun() const { return begun_; }
 
  private:
   using Triangle = std::array<Barycentric, 3>;
+  using ElementEdge = std::array<Barycentric, 2>;
+
+  /// The sweep as one element's material saw it.
+  struct Swept {
+    std::deque<Triangle> triangles;
+    ElementEdge edge;  // where the last sweep left it
+    int last_sweep = -1;
+    void add(const ElementEdge& start, const ElementEdge& end);
+  };
 
   void record(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
   CrackField field(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const;
-  bool covers(int part, const Barycentric& point, const std::vector<Vec3>& x, const CutMesh& mesh) const;
+  bool covers(const Part& part, const Barycentric& point, const std::vector<double>& phi) const;
 
   int crack_ = -1;
-  Vec3 normal_ = Vec3::Zero();                           // of the last sweep, to keep the sides' signs
-  std::unordered_map<int, double> phi_;                  // distances at the copies the stroke owns [m]
-  std::unordered_map<int, std::deque<Triangle>> swept_;  // triangles of the sweep in each element it met
-  std::vector<int> met_;                                 // parts the current sweep may cut
+  Vec3 normal_ = Vec3::Zero();            // of the last sweep, to keep the sides' signs
+  std::unordered_map<int, double> phi_;   // distances at the copies the stroke owns [m]
+  std::unordered_map<int, Swept> swept_;  // of each element near the sweep
+  int sweeps_ = 0;
+  bool begun_ = false;
+  std::vector<int> met_;  // parts the current sweep may cut
 };
 
 /// Whether an edge passes through an element the body now has, its parts taken whole.
