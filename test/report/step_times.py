@@ -17,7 +17,7 @@ BATCH = ROOT / 'build/devel/lib/incision/incision_batch'
 SCENE = ROOT / 'config/scenes/bar.yaml'
 GRIDS = ((16, 4, 4), (32, 8, 8), (64, 16, 16))
 TOLERANCES = ('1e-4', '1e-6')
-STEPS, RUNS = 60, 5
+STEPS, RUNS = 40, 8
 
 
 def run(cells, settings):
@@ -39,7 +39,7 @@ def table():
         for label, settings in [(f'iterative {tolerance}', ['solver.method=iterative', f'solver.tolerance={tolerance}'])
                                 for tolerance in TOLERANCES] + [('direct', ['solver.method=direct'])]:
             if label == 'direct' and cells == GRIDS[-1]:
-                continue  # tens of seconds a step
+                continue  # seconds a step
             best = measure(cells, settings)
             rows.append((label, best['elements'], best['step_ms']['median']))
             grid = '×'.join(map(str, cells))
