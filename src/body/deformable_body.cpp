@@ -66,7 +66,7 @@ struct DeformableBody::State {
 
   void start();
   void topologyChanged();
-  CutResult cut(const CutPlane& plane);
+  CutResult cut(const PlaneCut& plane);
   std::optional<CutResult> moveTool(const ToolPose& pose);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
@@ -116,7 +116,7 @@ void DeformableBody::State::topologyChanged() {
   ++topology_version;
 }
 
-CutResult DeformableBody::State::cut(const CutPlane& plane) {
+CutResult DeformableBody::State::cut(const PlaneCut& plane) {
   const auto start_time = Clock::now();
   CutResult result;
   result.label = plane.label;
@@ -197,7 +197,7 @@ std::optional<ToolPose> DeformableBody::State::scenePose() const {
 
 void DeformableBody::State::applyDue(StepResult* result) {
   while (!scheduled.empty() && scheduled.front().time <= time() + DUE_TOLERANCE) {
-    const CutPlane plane = scheduled.front().plane;
+    const PlaneCut plane = scheduled.front().plane;
     scheduled.pop_front();
     result->cuts.push_back(cut(plane));
   }
@@ -235,7 +235,7 @@ StepResult DeformableBody::step() {
   return result;
 }
 
-CutResult DeformableBody::cut(const CutPlane& plane) { return state_->cut(plane); }
+CutResult DeformableBody::cut(const PlaneCut& plane) { return state_->cut(plane); }
 
 void DeformableBody::schedule(const ScheduledCut& cut) {
   auto& scheduled = state_->scheduled;

@@ -26,7 +26,7 @@ Vec3 across(const Vec3& tangent, const Vec3& n) {
 
 }  // namespace
 
-std::string whyInvalid(const CutPlane& plane) {
+std::string whyInvalid(const PlaneCut& plane) {
   if (!usable(plane.point)) return "point: not finite or beyond 1e9 m";
   if (!usable(plane.normal)) return "normal: not finite or beyond 1e9";
   if (!usable(plane.tangent)) return "tangent: not finite or beyond 1e9";
@@ -38,7 +38,7 @@ std::string whyInvalid(const CutPlane& plane) {
   return "";
 }
 
-CrackField planeField(const CutPlane& plane, const CutMesh& mesh, const std::vector<Vec3>& x) {
+CrackField planeField(const PlaneCut& plane, const CutMesh& mesh, const std::vector<Vec3>& x) {
   const Vec3 n = plane.normal.stableNormalized();
   CrackField field;
   field.phi.resize(x.size());

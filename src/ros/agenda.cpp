@@ -23,11 +23,11 @@ std::vector<T> Agenda::take(std::deque<Entry<T>>& entries, Nanoseconds time) {
   return taken;
 }
 
-std::optional<CutPlane> Agenda::add(const CutPlane& plane, Nanoseconds stamp) {
+std::optional<PlaneCut> Agenda::add(const PlaneCut& plane, Nanoseconds stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
   insert(cuts_, plane, stamp);
   if (cuts_.size() <= MAX_WAITING_CUTS) return std::nullopt;
-  CutPlane last = std::move(cuts_.back().action);
+  PlaneCut last = std::move(cuts_.back().action);
   cuts_.pop_back();
   return last;
 }
@@ -48,7 +48,7 @@ void Agenda::thinPoses() {
   ++thinned_;
 }
 
-std::vector<CutPlane> Agenda::takeCuts(Nanoseconds time) {
+std::vector<PlaneCut> Agenda::takeCuts(Nanoseconds time) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return take(cuts_, time);
 }
@@ -58,10 +58,10 @@ std::vector<ToolPose> Agenda::takePoses(Nanoseconds time) {
   return take(poses_, time);
 }
 
-std::vector<CutPlane> Agenda::clear() {
+std::vector<PlaneCut> Agenda::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<CutPlane> cuts;
-  for (Entry<CutPlane>& entry : cuts_) cuts.push_back(std::move(entry.action));
+  std::vector<PlaneCut> cuts;
+  for (Entry<PlaneCut>& entry : cuts_) cuts.push_back(std::move(entry.action));
   cuts_.clear();
   poses_.clear();
   taken_ = 0;

@@ -46,7 +46,7 @@ bool CommandInput::waitsFor(Nanoseconds time) const {
 
 void CommandInput::clear(const Refused& refused) { transforms_.clear(refused); }
 
-void CommandInput::receiveCut(const CutPlaneMessage& message) {
+void CommandInput::receiveCut(const CutPlane& message) {
   if (const auto refused = whyRefused(message))
     reporter_.refuseCut(message.label, *refused);
   else
@@ -69,7 +69,7 @@ void CommandInput::accept(const Command& command) {
 
 void CommandInput::release(const Command& command) {
   const Nanoseconds stamp = use_sim_time_ ? command.stamp : 0;
-  if (const auto* plane = std::get_if<CutPlane>(&command.action)) {
+  if (const auto* plane = std::get_if<PlaneCut>(&command.action)) {
     if (const auto left_out = agenda_.add(*plane, stamp))
       reporter_.refuseCut(left_out->label, {Refusal::TOO_MANY, "too many cuts wait for their step"});
   } else {
@@ -79,7 +79,7 @@ void CommandInput::release(const Command& command) {
 }
 
 void CommandInput::refuse(const Command& command, const Refused& refused) {
-  if (const auto* plane = std::get_if<CutPlane>(&command.action))
+  if (const auto* plane = std::get_if<PlaneCut>(&command.action))
     reporter_.refuseCut(plane->label, refused);
   else
     reporter_.refusePose(refused);

@@ -20,8 +20,8 @@ geometry_msgs::Vector3 toVector3(const Vec3& v) {
   return w;
 }
 
-CutPlane toCutPlane(const CutPlaneMessage& message) {
-  CutPlane plane;
+PlaneCut toPlaneCut(const CutPlane& message) {
+  PlaneCut plane;
   plane.label = message.label;
   plane.point = toVec3(message.point);
   plane.normal = toVec3(message.normal);
@@ -45,8 +45,8 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
   return Eigen::Translation3d(toVec3(transform.translation)) * toQuaternion(transform.rotation);
 }
 
-CutPlane transformed(const CutPlane& plane, const Eigen::Isometry3d& to_frame) {
-  CutPlane result = plane;
+PlaneCut transformed(const PlaneCut& plane, const Eigen::Isometry3d& to_frame) {
+  PlaneCut result = plane;
   result.point = to_frame * plane.point;
   result.normal = to_frame.linear() * plane.normal;
   result.tangent = to_frame.linear() * plane.tangent;

@@ -80,14 +80,14 @@ bool IncisionNode::stepDue() {
 /// Stamped commands are taken together when their step is due, since they may arrive in another order.
 bool IncisionNode::applyCommands(bool step_due) {
   const Nanoseconds time = paused_ ? pacer_->clock() : step_due ? pacer_->nextStart() : 0;
-  const std::vector<CutPlane> cuts = agenda_.takeCuts(time);
+  const std::vector<PlaneCut> cuts = agenda_.takeCuts(time);
   const std::vector<ToolPose> poses = agenda_.takePoses(time);
-  for (const CutPlane& plane : cuts) applyCut(plane);
+  for (const PlaneCut& plane : cuts) applyCut(plane);
   for (const ToolPose& pose : poses) applyPose(pose);
   return !cuts.empty() || !poses.empty();
 }
 
-void IncisionNode::applyCut(const CutPlane& plane) {
+void IncisionNode::applyCut(const PlaneCut& plane) {
   try {
     reporter_.report(body_.cut(plane));
   } catch (const std::exception& error) {
@@ -131,7 +131,7 @@ void IncisionNode::setPaused(bool paused) {
 void IncisionNode::reset() {
   const Refused refused{Refusal::BY_RESET, "the body was reset before this command took effect"};
   input_.clear(refused);
-  for (const CutPlane& plane : agenda_.clear()) reporter_.refuseCut(plane.label, refused);
+  for (const PlaneCut& plane : agenda_.clear()) reporter_.refuseCut(plane.label, refused);
   if (const auto stroke = settings_.scene.tool ? body_.liftTool() : std::nullopt) reporter_.report(*stroke);
   body_.reset();
   last_step_ = StepResult();

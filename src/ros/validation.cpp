@@ -19,7 +19,7 @@ std::optional<Refused> whyRefused(const std_msgs::Header& header) {
   return std::nullopt;
 }
 
-bool allFinite(const CutPlane& plane) {
+bool allFinite(const PlaneCut& plane) {
   return plane.point.allFinite() && plane.normal.allFinite() && plane.tangent.allFinite() &&
          std::isfinite(plane.length) && std::isfinite(plane.width);
 }
@@ -33,11 +33,11 @@ Command toCommand(Action action, const std_msgs::Header& header, const std::stri
 
 }  // namespace
 
-std::optional<Refused> whyRefused(const CutPlaneMessage& message) {
+std::optional<Refused> whyRefused(const CutPlane& message) {
   if (auto refused = whyRefused(message.header)) return refused;
   if (message.label.size() > MAX_LABEL)
     return outOfRange("label: longer than " + std::to_string(MAX_LABEL) + " characters");
-  const CutPlane plane = toCutPlane(message);
+  const PlaneCut plane = toPlaneCut(message);
   const std::string reason = whyInvalid(plane);
   if (reason.empty()) return std::nullopt;
   return Refused{allFinite(plane) ? Refusal::OUT_OF_RANGE : Refusal::NOT_FINITE, reason};
@@ -56,8 +56,8 @@ std::optional<Refused> whyRefused(const geometry_msgs::PoseStamped& message) {
   return std::nullopt;
 }
 
-Command toCommand(const CutPlaneMessage& message, const std::string& body_frame, SteadyTime received) {
-  return toCommand(toCutPlane(message), message.header, body_frame, received);
+Command toCommand(const CutPlane& message, const std::string& body_frame, SteadyTime received) {
+  return toCommand(toPlaneCut(message), message.header, body_frame, received);
 }
 
 Command toCommand(const geometry_msgs::PoseStamped& message, const std::string& body_frame, SteadyTime received) {

@@ -88,7 +88,7 @@ TEST(Cut, IsAppliedBeforeTheFirstStepThatStartsAtItsTimeOrLater) {
 TEST(Cut, ReportsWhatItDid) {
   DeformableBody body = makeBody(softBar());
   const BodyCounts before = body.counts();
-  CutPlane cut = plane(Vec3(0.51, 0, 0), Vec3::UnitX());
+  PlaneCut cut = plane(Vec3(0.51, 0, 0), Vec3::UnitX());
   cut.label = "first";
   const CutResult result = body.cut(cut);
   const BodyCounts after = body.counts();
@@ -109,7 +109,7 @@ TEST(Cut, ThatMissesOrIsRefusedSaysWhyAndChangesNothing) {
   const std::uint64_t before = body.stateHash();
   const std::uint64_t topology = body.topologyVersion();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<std::pair<CutPlane, CutStatus>> cuts = {
+  const std::vector<std::pair<PlaneCut, CutStatus>> cuts = {
       {plane(Vec3(9, 0, 0), Vec3::UnitX()), CutStatus::MISSED},
       {rectangle(Vec3(0.2, 0.1, 0), Vec3::UnitX(), Vec3::UnitY(), 1e-4, 1e-4), CutStatus::MISSED},
       {rectangle(Vec3(0.2, 5, 0), Vec3::UnitX(), Vec3::UnitY(), 0.1, 0.1), CutStatus::MISSED},
@@ -135,7 +135,7 @@ TEST(Cut, MadeAgainAtRestOrAfterMotionWithinSnapDoesNothing) {
   scene.gravity = Vec3(0.3, 0.2, -0.5);
   scene.solver.time_step = 1e-3;
   DeformableBody body = makeBody(scene);
-  const CutPlane cut = plane(Vec3(0.537, 0.11, 0.13), Vec3(1, 0.21, 0.13));
+  const PlaneCut cut = plane(Vec3(0.537, 0.11, 0.13), Vec3(1, 0.21, 0.13));
   EXPECT_EQ(body.cut(cut).status, CutStatus::APPLIED);
   EXPECT_EQ(body.cut(cut).status, CutStatus::MISSED);
   test::run(&body, 3);  // falls by 4e-6 m, a third of snap

@@ -100,7 +100,7 @@ TetMesh oneElement() { return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3
 
 struct Crossing {
   const char* name;
-  std::vector<CutPlane> cuts;
+  std::vector<PlaneCut> cuts;
   int zones;
 };
 
@@ -110,7 +110,7 @@ class CrossingCuts : public ::testing::TestWithParam<Crossing> {};
 
 TEST_P(CrossingCuts, MakeTheirZonesInOneElement) {
   Rig rig(oneElement(), {});
-  for (const CutPlane& cut : GetParam().cuts) EXPECT_TRUE(rig.cut(cut).changed());
+  for (const PlaneCut& cut : GetParam().cuts) EXPECT_TRUE(rig.cut(cut).changed());
   EXPECT_EQ(static_cast<int>(rig.mesh.parts().size()), GetParam().zones);
   EXPECT_EQ(rig.pieces(), GetParam().zones);
   EXPECT_EQ(rig.mesh.numCopies(), 4 * GetParam().zones);
@@ -121,17 +121,17 @@ TEST_P(CrossingCuts, MakeTheirZonesInOneElement) {
 
 TEST_P(CrossingCuts, LeaveSixRigidModesAZone) {
   Rig rig(oneElement(), {});
-  for (const CutPlane& cut : GetParam().cuts) rig.cut(cut);
+  for (const PlaneCut& cut : GetParam().cuts) rig.cut(cut);
   const Eigen::MatrixXd K = systemMatrix(rig.step.assembly(), {0, 1}, allCopies(rig.mesh));
   EXPECT_EQ(12 * GetParam().zones - Eigen::FullPivLU<Eigen::MatrixXd>(K).setThreshold(1e-11).rank(),
             6 * GetParam().zones);
 }
 
-const CutPlane ACROSS = plane(Vec3(0.25, 0.25, 0.25), Vec3::UnitX());
+const PlaneCut ACROSS = plane(Vec3(0.25, 0.25, 0.25), Vec3::UnitX());
 // Ends that meet only what lies at x > 0.25: the sections there have their centroids at x > 0.4, the others at x < 0.2.
 const Vec3 BESIDE(0.25 + 0.5, 0.25, 0.2);
-const CutPlane STRAIGHT_END = rectangle(BESIDE, Vec3::UnitY(), Vec3::UnitX(), 0.9, 0);
-const CutPlane OBLIQUE_END = rectangle(BESIDE - Vec3(0, 0.1, 0), Vec3(-0.3, 1, 0), Vec3(1, 0.3, 0), 0.9, 0);
+const PlaneCut STRAIGHT_END = rectangle(BESIDE, Vec3::UnitY(), Vec3::UnitX(), 0.9, 0);
+const PlaneCut OBLIQUE_END = rectangle(BESIDE - Vec3(0, 0.1, 0), Vec3(-0.3, 1, 0), Vec3(1, 0.3, 0), 0.9, 0);
 
 INSTANTIATE_TEST_SUITE_P(CutAlgebra, CrossingCuts,
                          ::testing::Values(Crossing{"X", {ACROSS, plane(Vec3::Constant(0.25), Vec3::UnitY())}, 4},
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(CutAlgebra, CrossingCuts,
                          crossingName);
 
 // A block under tension σ along x at both ends, cut along x. The exact answer is u = (σ/E)(x, −νy, −νz).
-class PatchTest : public ::testing::TestWithParam<std::vector<CutPlane>> {
+class PatchTest : public ::testing::TestWithParam<std::vector<PlaneCut>> {
  protected:
   static constexpr double E = 2e5, POISSON = 0.3, TENSION = 0.01 * E;
   static constexpr double TOLERANCE = 1e-10;
@@ -158,7 +158,7 @@ class PatchTest : public ::testing::TestWithParam<std::vector<CutPlane>> {
 
   struct Block : Rig {
     Block(bool warping, double dt) : Rig(block({4, 3, 3}, Vec3(1, 0.75, 0.6)), settings(warping, dt)) {
-      for (const CutPlane& plane : GetParam()) EXPECT_TRUE(cut(plane).changed());
+      for (const PlaneCut& plane : GetParam()) EXPECT_TRUE(cut(plane).changed());
     }
   };
 
@@ -213,17 +213,17 @@ TEST_P(PatchTest, ExactAnswerIsFoundFromRest) {
   EXPECT_LT(errorOfShape(rig), TOLERANCE * largest(exactDisplacements(rig.mesh)));
 }
 
-const CutPlane ALONG = plane(Vec3(0.5, 0.4, 0.3), Vec3(0, 0.6, 0.8));
-std::string patchName(const ::testing::TestParamInfo<std::vector<CutPlane>>& test) {
+const PlaneCut ALONG = plane(Vec3(0.5, 0.4, 0.3), Vec3(0, 0.6, 0.8));
+std::string patchName(const ::testing::TestParamInfo<std::vector<PlaneCut>>& test) {
   constexpr const char* NAMES[] = {"Uncut", "Severed", "Slit", "Crossed"};
   return NAMES[test.index];
 }
 
 INSTANTIATE_TEST_SUITE_P(
     CutAlgebra, PatchTest,
-    ::testing::Values(std::vector<CutPlane>{}, std::vector<CutPlane>{ALONG},
-                      std::vector<CutPlane>{rectangle(ALONG.point, ALONG.normal, Vec3::UnitX(), 0.5, 0.6)},
-                      std::vector<CutPlane>{ALONG, plane(Vec3(0.5, 0.37, 0.31), Vec3(0, -0.8, 0.6))}),
+    ::testing::Values(std::vector<PlaneCut>{}, std::vector<PlaneCut>{ALONG},
+                      std::vector<PlaneCut>{rectangle(ALONG.point, ALONG.normal, Vec3::UnitX(), 0.5, 0.6)},
+                      std::vector<PlaneCut>{ALONG, plane(Vec3(0.5, 0.37, 0.31), Vec3(0, -0.8, 0.6))}),
     patchName);
 
 // How many eigenvalues of K, scaled to a unit diagonal so that small fragments weigh as much as large ones, are zero.
@@ -263,7 +263,7 @@ TEST(RigidModes, AreSixForASlitBody) {
 }
 
 // Loads the end at x = 1 of a block cut once, and compares the largest velocity after a step on either side.
-double movedAlong(const CutPlane& cut) {
+double movedAlong(const PlaneCut& cut) {
   RigSettings settings;
   settings.conditions.loads = {{slab(0, 1), Vec3(1e5, 2e4, -3e4), 0}};
   Rig rig(block({4, 2, 2}, Vec3(1, 0.5, 0.5)), settings);

@@ -14,7 +14,7 @@ const Vec3 GRAVITY(1, -2, -9);
 
 // Lets a block fall for 30 steps while it is cut into pieces, and compares every copy with backward Euler's
 // v_n = −g n Δt, x_n = −g Δt² n (n + 1)/2. Returns the largest error relative to the fall.
-double errorOfFall(const RigSettings& given, const std::vector<CutPlane>& cuts) {
+double errorOfFall(const RigSettings& given, const std::vector<PlaneCut>& cuts) {
   RigSettings settings = given;
   settings.conditions.gravity = GRAVITY;
   Rig rig(block({3, 2, 2}, Vec3(0.6, 0.4, 0.4)), settings);
@@ -23,7 +23,7 @@ double errorOfFall(const RigSettings& given, const std::vector<CutPlane>& cuts) 
   double worst = 0;
   for (int n = 1; n <= 30; ++n) {
     if (n % 5 == 0 && next < cuts.size()) {
-      CutPlane cut = cuts[next++];
+      PlaneCut cut = cuts[next++];
       cut.point += GRAVITY * dt * dt * (n - 1) * n / 2;  // given where the body was at rest
       EXPECT_TRUE(rig.cut(cut).changed());
     }
@@ -40,7 +40,7 @@ double errorOfFall(const RigSettings& given, const std::vector<CutPlane>& cuts) 
 constexpr double FALL_TOLERANCE = 1e-11;
 
 // A piece, then quarters, then a corner of share 1e-6 of its element, which holds one node, and at last one with none.
-std::vector<CutPlane> dissection() {
+std::vector<PlaneCut> dissection() {
   return {plane(Vec3(0.32, 0.2, 0.2), Vec3(1, 0.3, -0.1)), plane(Vec3(0.3, 0.21, 0.2), Vec3(-0.2, 1, 0.1)),
           plane(Vec3(0.002, 0, 0), Vec3(1, 1, 1)), plane(Vec3(0.001, 0, 0), Vec3(1, 1, 1))};
 }
@@ -73,7 +73,7 @@ TEST(FreeFall, MassDampingBrakesItAsBackwardEulerDoes) {
   settings.material.mass_damping = 3;
   settings.conditions.gravity = GRAVITY;
   Rig rig(block({3, 2, 2}, Vec3(0.6, 0.4, 0.4)), settings);
-  for (const CutPlane& cut : dissection()) rig.cut(cut);
+  for (const PlaneCut& cut : dissection()) rig.cut(cut);
   Vec3 v = Vec3::Zero();
   for (int n = 0; n < 30; ++n) {
     ASSERT_TRUE(rig.advance());
@@ -248,7 +248,7 @@ TEST(FreeFlight, ConservesMomentum) {
       Thrown rig(settings, 1);
       const Vec3 momentum = rig.momentum();
       const double scale = 96 * 1;  // the body's mass at 1 m/s
-      const std::vector<CutPlane> cuts = dissection();
+      const std::vector<PlaneCut> cuts = dissection();
       for (int n = 0; n < 40; ++n) {
         if (n % 10 == 5) {
           rig.cut(cuts[n / 10]);
@@ -264,7 +264,7 @@ TEST(FreeFlight, ConservesMomentum) {
 // Largest growth of the energy in one of 200 steps, relative to what was there at first. Cuts leave it as it is.
 double energyGrowth(const RigSettings& settings) {
   Thrown rig(settings, 1);
-  const std::vector<CutPlane> cuts = dissection();
+  const std::vector<PlaneCut> cuts = dissection();
   double energy = rig.energy(), growth = 0;
   const double scale = energy;
   for (int n = 0; n < 200; ++n) {

@@ -45,7 +45,7 @@ TEST(InsertingACut, ChangesNeitherMassMomentumEnergyNorPositions) {
       test::run(&body, 3);
       const BodyMotion before = body.motion();
       const std::vector<Vec3> nodes = body.nodePositions(), x = body.positions(), v = body.velocities();
-      CutPlane cut = k % 2 ? random.rectangle(BAR, 0.4, 0.8) : random.plane(BAR);
+      PlaneCut cut = k % 2 ? random.rectangle(BAR, 0.4, 0.8) : random.plane(BAR);
       cut.point = nodes[random.index(static_cast<int>(nodes.size()))] + random.vector(0.02);
       const CutResult result = body.cut(cut);
       ASSERT_EQ(result.status, CutStatus::APPLIED) << k << ": " << result.reason;
@@ -265,7 +265,7 @@ TetMesh withDuplicates(const TetMesh& mesh, double x, const Chosen& chosen) {
   return parted;
 }
 
-void expectSameMotion(const CutPlane& cut, const TetMesh& whole, const TetMesh& parted, const Scene& scene) {
+void expectSameMotion(const PlaneCut& cut, const TetMesh& whole, const TetMesh& parted, const Scene& scene) {
   DeformableBody severed(scene, whole), duplicated(scene, parted);
   ASSERT_EQ(severed.cut(cut).status, CutStatus::APPLIED);
   ASSERT_EQ(severed.counts().parts, severed.counts().elements);
@@ -292,7 +292,7 @@ TEST(ACutAlongFaces, EqualsTheMeshWithDuplicatedNodes) {
   expectSameMotion(plane(Vec3(0.5, 0, 0), Vec3::UnitX()), bar, withDuplicates(bar, 0.5, all), scene);
   // Down to half the height, where the crack's front stays whole.
   const auto upper = [](const Vec3& X) { return X.z() > 0.126; };
-  const CutPlane notch = rectangle(Vec3(0.5, 0.125, 0.25), Vec3::UnitX(), Vec3::UnitZ(), 0.25, 1);
+  const PlaneCut notch = rectangle(Vec3(0.5, 0.125, 0.25), Vec3::UnitX(), Vec3::UnitZ(), 0.25, 1);
   expectSameMotion(notch, bar, withDuplicates(bar, 0.5, upper), scene);
 }
 

@@ -131,7 +131,7 @@ double doubleCantileverBeam(int n, double crack) {
   lower.max.z() = H / 2 + 1e-9;
   settings.conditions.loads = {{upper, Vec3(0, 0, TRACTION), 0}, {lower, Vec3(0, 0, -TRACTION), 0}};
   Rig rig(bar(n), settings);
-  const CutPlane slit = rectangle(Vec3(L, H / 2, H / 2), Vec3::UnitZ(), Vec3::UnitX(), 2 * crack, 0);
+  const PlaneCut slit = rectangle(Vec3(L, H / 2, H / 2), Vec3::UnitZ(), Vec3::UnitX(), 2 * crack, 0);
   EXPECT_TRUE(rig.cut(slit).changed());
   EXPECT_EQ(rig.pieces(), 1);
   EXPECT_TRUE(rig.advance());

@@ -53,7 +53,7 @@ TEST(Copies, EveryPartOfALoneElementHasItsOwn) {
   test::Random random(6);
   DeformedMesh body(oneElement());
   for (int k = 0; k < 6; ++k) {
-    CutPlane cut = plane(Vec3::Constant(0.25) + random.vector(0.05), random.direction());
+    PlaneCut cut = plane(Vec3::Constant(0.25) + random.vector(0.05), random.direction());
     body.cut(cut);
     EXPECT_EQ(body.mesh.numCopies(), 4 * static_cast<int>(body.mesh.parts().size()));
     EXPECT_EQ(body.pieces(), static_cast<int>(body.mesh.parts().size()));

@@ -18,7 +18,7 @@ using test::rectangle;
 const GridSettings CUBE = {{2, 2, 2}, Vec3::Ones(), Vec3::Zero()};
 constexpr double EDGE = 0.5;  // shortest edge of CUBE
 
-TEST(CutPlane, WithoutFiniteNumbersOrADirectionIsInvalid) {
+TEST(PlaneCut, WithoutFiniteNumbersOrADirectionIsInvalid) {
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200};
   EXPECT_EQ(whyInvalid(plane(Vec3::Zero(), Vec3(0, 0, 1e-200))), "");
   EXPECT_NE(whyInvalid(plane(Vec3::Zero(), Vec3::Zero())), "");
@@ -32,7 +32,7 @@ TEST(CutPlane, WithoutFiniteNumbersOrADirectionIsInvalid) {
   EXPECT_NE(whyInvalid(rectangle(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), -1, 1)), "");
 }
 
-TEST(CutPlane, NeedsATangentOnlyWhenBounded) {
+TEST(PlaneCut, NeedsATangentOnlyWhenBounded) {
   for (const Vec3& tangent : {Vec3(0, 0, 0), Vec3(2, 0, 0)}) {
     EXPECT_EQ(whyInvalid(rectangle(Vec3::Zero(), Vec3::UnitX(), tangent, 0, 0)), "");
     EXPECT_NE(whyInvalid(rectangle(Vec3::Zero(), Vec3::UnitX(), tangent, 1, 0)), "");
@@ -44,7 +44,7 @@ TEST(PlaneField, IsTheSignedDistanceOfTheCopiesCurrentPositions) {
   test::Random random(4);
   DeformedMesh body(gridMesh(CUBE));
   body.shake(0.2, &random);
-  const CutPlane cut = plane(Vec3(0.1, 0.2, 0.3), Vec3(3, -4, 12));
+  const PlaneCut cut = plane(Vec3(0.1, 0.2, 0.3), Vec3(3, -4, 12));
   const CrackField field = planeField(cut, body.mesh, body.x);
   EXPECT_FALSE(field.contains);
   for (std::size_t c = 0; c < body.x.size(); ++c)
@@ -168,7 +168,7 @@ TEST(OwnCopy, OfANodeOffTheCrackIsThatOfThePartsThatHoldIt) {
   test::Random random(5);
   for (int run = 0; run < 50; ++run) {
     DeformedMesh body(test::jitteredGrid(CUBE, 0.2, &random));
-    const CutPlane cut = random.plane(CUBE);
+    const PlaneCut cut = random.plane(CUBE);
     const CrackField field = planeField(cut, body.mesh, body.x);
     body.cut(cut);
     for (int n = 0; n < 27; ++n)

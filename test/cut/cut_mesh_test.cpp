@@ -47,7 +47,7 @@ TEST(Bounds, TakeAnElementExactlyWhenTheyHoldTheSectionsCentroid) {
   for (int run = 0; run < 50; ++run) {
     const DeformedMesh whole(test::jitteredGrid(CUBE, 0.2, &random));
     DeformedMesh bounded = whole, unbounded = whole;
-    const CutPlane cut = random.rectangle(CUBE, 0.2, 0.9);
+    const PlaneCut cut = random.rectangle(CUBE, 0.2, 0.9);
     bounded.cut(cut);
     unbounded.cut(plane(cut.point, cut.normal));
     const Vec3 n = cut.normal.normalized(), t = (cut.tangent - cut.tangent.dot(n) * n).normalized(), b = n.cross(t);
@@ -95,7 +95,7 @@ TEST(Again, TheSameCutDoesNothing) {
   for (int run = 0; run < 100; ++run) {
     DeformedMesh cube(test::jitteredGrid(CUBE, 0.2, &random));
     if (run % 2) cube.shake(0.01, &random);
-    const CutPlane cut = run % 4 < 2 ? random.plane(CUBE) : random.rectangle(CUBE, 0.5, 1);
+    const PlaneCut cut = run % 4 < 2 ? random.plane(CUBE) : random.rectangle(CUBE, 0.5, 1);
     if (!cube.cut(cut).changed()) continue;
     const int copies = cube.mesh.numCopies();
     const std::size_t parts = cube.mesh.parts().size();
@@ -118,7 +118,7 @@ TEST(Again, TheSameCutTurnedRoundDoesNothing) {
   test::Random random(11);
   for (int run = 0; run < 50; ++run) {
     DeformedMesh cube(test::jitteredGrid(CUBE, 0.2, &random));
-    CutPlane cut = random.plane(CUBE);
+    PlaneCut cut = random.plane(CUBE);
     EXPECT_TRUE(cube.cut(cut).changed());
     cut.normal = -cut.normal;
     EXPECT_FALSE(cube.cut(cut).changed());
@@ -143,7 +143,7 @@ TEST(Limits, ACutIntoTooManyPartsChangesNothing) {
   bool refused = false;
   for (int k = 0; k < 3 * n && !refused; ++k) {
     const auto before = state();
-    const CutPlane cut = plane(Vec3::Constant((k / 3 + 0.51) / n), Vec3::Unit(k % 3) + Vec3(0.011, 0.017, -0.013));
+    const PlaneCut cut = plane(Vec3::Constant((k / 3 + 0.51) / n), Vec3::Unit(k % 3) + Vec3(0.011, 0.017, -0.013));
     try {
       body.cut(cut);
     } catch (const InputError& error) {

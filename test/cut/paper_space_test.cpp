@@ -71,7 +71,7 @@ TEST(PaperSpace, OfTwoCracksInAnElementIsThatOfItsParts) {
   int compared = 0, of_two_parts = 0;
   for (int run = 0; run < 40; ++run) {
     DeformedMesh body(test::jitteredGrid(box, 0.15, &random));
-    const CutPlane C = random.plane(box), c = random.plane(box);
+    const PlaneCut C = random.plane(box), c = random.plane(box);
     const CrackField first = planeField(C, body.mesh, body.x);
     body.mesh.insert(first);
     body.follow();

@@ -15,7 +15,7 @@ using Corners = std::array<Vec3, 4>;
 using Sides = std::vector<bool>;  // of each plane
 
 // Volumes of the zones into which planes part a tetrahedron, by splitting it into tetrahedra.
-void addZones(const Corners& tet, const std::vector<CutPlane>& planes, Sides* sides, std::map<Sides, double>* zones) {
+void addZones(const Corners& tet, const std::vector<PlaneCut>& planes, Sides* sides, std::map<Sides, double>* zones) {
   const std::size_t k = sides->size();
   if (k == planes.size()) {
     (*zones)[*sides] += std::abs(sixVolumes(tet[0], tet[1], tet[2], tet[3])) / 6;
@@ -48,7 +48,7 @@ void addZones(const Corners& tet, const std::vector<CutPlane>& planes, Sides* si
   }
 }
 
-std::vector<double> zoneVolumes(const TetMesh& mesh, const std::vector<CutPlane>& planes) {
+std::vector<double> zoneVolumes(const TetMesh& mesh, const std::vector<PlaneCut>& planes) {
   std::map<Sides, double> zones;
   Sides sides;
   for (const auto& e : mesh.elements)
@@ -70,7 +70,7 @@ std::vector<double> pieceVolumes(const DeformedMesh& body) {
 }
 
 // Snapping moves a crack, so planes that pass close by a node have no exact answer.
-bool passesByANode(const CutPlane& plane, const DeformedMesh& body) {
+bool passesByANode(const PlaneCut& plane, const DeformedMesh& body) {
   for (int n = 0; n < static_cast<int>(body.mesh.mesh().nodes.size()); ++n)
     if (std::abs(plane.normal.dot(body.mesh.mesh().nodes[n] - plane.point)) < 2 * SNAP * body.mesh.shortestEdge(n))
       return true;
@@ -78,9 +78,9 @@ bool passesByANode(const CutPlane& plane, const DeformedMesh& body) {
 }
 
 // Whether a plane left some part whole that it passes through: its section there lies within snap of an older cut face.
-bool tookASectionForAnOlderCut(const DeformedMesh& body, const std::vector<CutPlane>& planes) {
+bool tookASectionForAnOlderCut(const DeformedMesh& body, const std::vector<PlaneCut>& planes) {
   for (int p = 0; p < static_cast<int>(body.mesh.parts().size()); ++p)
-    for (const CutPlane& plane : planes) {
+    for (const PlaneCut& plane : planes) {
       double least = 0, most = 0;
       for (const Barycentric& b : body.mesh.polytope(p).corners) {
         Vec3 X = Vec3::Zero();
@@ -101,9 +101,9 @@ void expectZonesOfPlanes(int runs, unsigned seed) {
   int compared = 0;
   for (int run = 0; run < runs; ++run) {
     DeformedMesh body(test::jitteredGrid(box, 0.2, &random));
-    std::vector<CutPlane> planes;
+    std::vector<PlaneCut> planes;
     while (planes.size() < 5) {
-      const CutPlane plane = random.plane(box);
+      const PlaneCut plane = random.plane(box);
       if (passesByANode(plane, body)) continue;
       planes.push_back(plane);
       body.cut(plane);
@@ -152,7 +152,7 @@ void expectSoundThroughNodes(int runs, unsigned seed) {
     DeformedMesh body(gridMesh(box));
     for (int cut = 0; cut < 6; ++cut) {
       const auto whole = [&](int low, int count) { return static_cast<double>(low + random.index(count)); };
-      CutPlane plane;
+      PlaneCut plane;
       plane.point = Vec3(whole(0, 5), whole(0, 5), whole(0, 5));
       plane.normal = Vec3(whole(-1, 3), whole(-1, 3), whole(-1, 3));
       if (plane.normal.isZero()) continue;

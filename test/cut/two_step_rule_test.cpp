@@ -21,7 +21,7 @@ struct PaperCrack {
   std::vector<std::vector<int>> stars;     // elements round every node
 };
 
-PaperCrack paperCrack(const TetMesh& mesh, const CutPlane& plane) {
+PaperCrack paperCrack(const TetMesh& mesh, const PlaneCut& plane) {
   PaperCrack crack;
   const Vec3 n = plane.normal.normalized(), t = (plane.tangent - plane.tangent.dot(n) * n).normalized();
   const auto shortest = shortestEdges(mesh);
@@ -120,7 +120,7 @@ struct Comparison {
   int nodes = 0, left_out = 0, extended = 0;
 };
 
-void compare(const TetMesh& mesh, const CutPlane& plane, Comparison* done) {
+void compare(const TetMesh& mesh, const PlaneCut& plane, Comparison* done) {
   DeformedMesh body(mesh);
   body.cut(plane);
   const PaperCrack crack = paperCrack(mesh, plane);
@@ -162,7 +162,7 @@ TEST(TwoStepRule, GivesTheCopiesWhereRectanglesPassThroughNodes) {
   test::Random random(42);
   Comparison done;
   for (int run = 0; run < 300 && !::testing::Test::HasFailure(); ++run) {
-    CutPlane rectangle = random.rectangle(BOX, 0.3, 1.2);
+    PlaneCut rectangle = random.rectangle(BOX, 0.3, 1.2);
     const TetMesh mesh = gridMesh(BOX);
     // Through three nodes of an element's size, so that it slants through the grid.
     const Vec3 a = 0.2 * Vec3(1 + random.index(4), 1 + random.index(4), 1 + random.index(3));

@@ -11,19 +11,19 @@ namespace {
 
 const Box EVERYWHERE = {Vec3::Constant(-10), Vec3::Constant(10)};
 
-Insertion cut(CutMesh* mesh, const CutPlane& plane) {
+Insertion cut(CutMesh* mesh, const PlaneCut& plane) {
   return mesh->insert(planeField(plane, *mesh, restPositions(*mesh)));
 }
 
-CutMesh cutBlock(const std::vector<CutPlane>& cuts) {
+CutMesh cutBlock(const std::vector<PlaneCut>& cuts) {
   CutMesh mesh(block({3, 2, 2}, Vec3(0.9, 0.6, 0.4)));
-  for (const CutPlane& plane : cuts) EXPECT_TRUE(cut(&mesh, plane).changed());
+  for (const PlaneCut& plane : cuts) EXPECT_TRUE(cut(&mesh, plane).changed());
   return mesh;
 }
 
-const CutPlane OBLIQUE = plane(Vec3(0.45, 0.3, 0.2), Vec3(0.5, 1, 0.7));
+const PlaneCut OBLIQUE = plane(Vec3(0.45, 0.3, 0.2), Vec3(0.5, 1, 0.7));
 
-const std::vector<std::vector<CutPlane>> DISSECTIONS = {
+const std::vector<std::vector<PlaneCut>> DISSECTIONS = {
     {},
     {OBLIQUE},
     {OBLIQUE, plane(Vec3(0.45, 0.3, 0.2), Vec3(1, -0.5, 0.2))},

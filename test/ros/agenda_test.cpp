@@ -5,8 +5,8 @@
 namespace incision {
 namespace {
 
-CutPlane labelled(const std::string& label) {
-  CutPlane plane;
+PlaneCut labelled(const std::string& label) {
+  PlaneCut plane;
   plane.label = label;
   return plane;
 }
@@ -19,7 +19,7 @@ TEST(Agenda, CommandsComeInTheOrderOfStampsThenOfArrival) {
   agenda.add(labelled("a"), 10);
   agenda.add(labelled("b"), 10);
   std::string order;
-  for (const CutPlane& plane : agenda.takeCuts(20)) order += plane.label;
+  for (const PlaneCut& plane : agenda.takeCuts(20)) order += plane.label;
   EXPECT_EQ("abc", order);
 }
 

@@ -14,7 +14,7 @@ constexpr Nanoseconds SECOND = 1'000'000'000;
 /// A queue with a timeout of one second, and what came out of it.
 struct TransformQueueTest : testing::Test {
   Command cut(const std::string& label, const std::string& frame, Nanoseconds stamp = 0) {
-    CutPlane plane;
+    PlaneCut plane;
     plane.label = label;
     return {plane, frame, stamp, START};
   }
@@ -50,7 +50,7 @@ TEST_F(TransformQueueTest, ACommandIsBroughtIntoTheBodysFrame) {
   queue.add(cut("there", "knife", 10 * SECOND));
   ASSERT_EQ(1u, released.size());
   EXPECT_EQ("body", released[0].frame);
-  EXPECT_EQ(Vec3(0, 1, 0), std::get<CutPlane>(released[0].action).point);
+  EXPECT_EQ(Vec3(0, 1, 0), std::get<PlaneCut>(released[0].action).point);
 }
 
 TEST_F(TransformQueueTest, ACommandWaitsForItsTransform) {
@@ -100,7 +100,7 @@ TEST_F(TransformQueueTest, UnknownFramesMakeRoomForKnownOnes) {
   publishKnife(11);
   queue.poll(START);
   ASSERT_EQ(1u, released.size());
-  EXPECT_EQ("good", std::get<CutPlane>(released[0].action).label);
+  EXPECT_EQ("good", std::get<PlaneCut>(released[0].action).label);
 }
 
 }  // namespace

@@ -12,14 +12,14 @@ namespace {
 struct Body {
   const char* name;
   std::array<int, 3> cells;
-  std::vector<CutPlane> cuts;
+  std::vector<PlaneCut> cuts;
 };
 
-const CutPlane HALVES = plane(Vec3(0.48, 0.5, 0.5), Vec3(1, 0.2, 0.1));
-const CutPlane FRAGMENT = plane(Vec3(0.01, 0, 0), Vec3::Ones());
+const PlaneCut HALVES = plane(Vec3(0.48, 0.5, 0.5), Vec3(1, 0.2, 0.1));
+const PlaneCut FRAGMENT = plane(Vec3(0.01, 0, 0), Vec3::Ones());
 
-std::vector<CutPlane> slices(int count) {
-  std::vector<CutPlane> cuts;
+std::vector<PlaneCut> slices(int count) {
+  std::vector<PlaneCut> cuts;
   for (int k = 1; k < count; ++k)
     cuts.push_back(plane(Vec3(k / static_cast<double>(count), 0, 0), Vec3(1, 0.05, 0.02)));
   return cuts;
@@ -28,7 +28,7 @@ std::vector<CutPlane> slices(int count) {
 class Grouping : public ::testing::TestWithParam<Body> {
  protected:
   Grouping() : mesh(block(GetParam().cells, Vec3::Ones())) {
-    for (const CutPlane& cut : GetParam().cuts)
+    for (const PlaneCut& cut : GetParam().cuts)
       EXPECT_TRUE(mesh.insert(planeField(cut, mesh, restPositions(mesh))).changed());
     for (int c = 0; c < mesh.numCopies(); ++c) held.push_back(mesh.mesh().nodes[mesh.copyNode(c)].z() == 0);
     groups = aggregate(mesh, held);

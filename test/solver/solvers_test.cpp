@@ -15,7 +15,7 @@ struct Case {
   Material material;
   Mass mass = Mass::LUMPED;
   double time_step = 0.01;
-  std::vector<CutPlane> cuts = {};
+  std::vector<PlaneCut> cuts = {};
   double size = 0.125;  // radius of gyration of the smallest piece, where mass knows it; else an element's [m]
 };
 
@@ -32,7 +32,7 @@ RigSettings settingsOf(const Case& of, Method method) {
 
 struct LoadedBlock : Rig {
   LoadedBlock(const Case& of, const RigSettings& settings) : Rig(block({8, 4, 4}, Vec3(1, 0.5, 0.5)), settings) {
-    for (const CutPlane& plane : of.cuts) EXPECT_TRUE(cut(plane).changed());
+    for (const PlaneCut& plane : of.cuts) EXPECT_TRUE(cut(plane).changed());
   }
 };
 
@@ -58,13 +58,13 @@ double worstOfPieces(const Rig& rig, const std::vector<Vec3>& v, const std::vect
 }
 
 const Material SOFT = {1e5, 0.4, 1000, 0, 1e-3};
-const CutPlane HALVES = plane(Vec3(0.48, 0.25, 0.25), Vec3(1, 0.2, 0.1));
-const CutPlane SLIT = rectangle(Vec3(1, 0.27, 0.25), Vec3(0.1, 1, 0.1), Vec3::UnitX(), 1.2, 0);
+const PlaneCut HALVES = plane(Vec3(0.48, 0.25, 0.25), Vec3(1, 0.2, 0.1));
+const PlaneCut SLIT = rectangle(Vec3(1, 0.27, 0.25), Vec3(0.1, 1, 0.1), Vec3::UnitX(), 1.2, 0);
 // A corner with a share of some 1e-6 of its element, far from the clamp.
-const CutPlane FRAGMENT = plane(Vec3(0.998, 0.5, 0.5), Vec3::Ones());
+const PlaneCut FRAGMENT = plane(Vec3(0.998, 0.5, 0.5), Vec3::Ones());
 // Ten parts and more in an element.
-std::vector<CutPlane> shreds() {
-  std::vector<CutPlane> cuts;
+std::vector<PlaneCut> shreds() {
+  std::vector<PlaneCut> cuts;
   for (int k = 0; k < 4; ++k) cuts.push_back(plane(Vec3(0.6 + 0.013 * k, 0.25, 0.25), Vec3(1, 0.1 * k, -0.1)));
   cuts.push_back(plane(Vec3(0.6, 0.26, 0.25), Vec3(0.1, 1, 0.2)));
   return cuts;
@@ -172,7 +172,7 @@ TEST(Solvers, AKeptFactorIsDroppedWhenTheStepOrTheTopologyChanges) {
   LoadedBlock kept(of, settings);
   const auto expectAsFresh = [&] {
     LoadedBlock fresh(of, settings);
-    for (const CutPlane& cut : kept.mesh.numCracks() > 0 ? std::vector<CutPlane>{HALVES} : std::vector<CutPlane>{})
+    for (const PlaneCut& cut : kept.mesh.numCracks() > 0 ? std::vector<PlaneCut>{HALVES} : std::vector<PlaneCut>{})
       fresh.cut(cut);
     fresh.motion = kept.motion;
     fresh.time_step = kept.time_step;

@@ -15,7 +15,7 @@ struct DeformedMesh {
       x.push_back(mesh.copyParent(c) == c ? mesh.mesh().nodes[mesh.copyNode(c)] : x[mesh.copyParent(c)]);
   }
 
-  Insertion cut(const CutPlane& plane) {
+  Insertion cut(const PlaneCut& plane) {
     const Insertion done = mesh.insert(planeField(plane, mesh, x));
     follow();
     return done;

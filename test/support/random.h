@@ -27,15 +27,15 @@ class Random {
     return b / b.sum();
   }
   /// Through a point well within the box of `grid`.
-  CutPlane plane(const GridSettings& grid) {
-    CutPlane plane;
+  PlaneCut plane(const GridSettings& grid) {
+    PlaneCut plane;
     plane.point = grid.origin + grid.size.cwiseProduct(Vec3::Constant(0.5) + vector(0.4));
     plane.normal = direction();
     return plane;
   }
   /// A rectangle whose sides are these shares of the grid's longest side.
-  CutPlane rectangle(const GridSettings& grid, double least, double most) {
-    CutPlane rectangle = plane(grid);
+  PlaneCut rectangle(const GridSettings& grid, double least, double most) {
+    PlaneCut rectangle = plane(grid);
     rectangle.tangent = rectangle.normal.cross(direction());
     rectangle.length = uniform(least, most) * grid.size.maxCoeff();
     rectangle.width = uniform(least, most) * grid.size.maxCoeff();

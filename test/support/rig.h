@@ -16,16 +16,16 @@ inline TetMesh block(const std::array<int, 3>& cells, const Vec3& size, const Ve
   return gridMesh({cells, size, origin});
 }
 
-inline CutPlane plane(const Vec3& point, const Vec3& normal) {
-  CutPlane cut;
+inline PlaneCut plane(const Vec3& point, const Vec3& normal) {
+  PlaneCut cut;
   cut.point = point;
   cut.normal = normal;
   return cut;
 }
 
 /// A rectangle of `length` along `tangent` and `width` across; 0: unbounded.
-inline CutPlane rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
-  CutPlane cut = plane(point, normal);
+inline PlaneCut rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
+  PlaneCut cut = plane(point, normal);
   cut.tangent = tangent;
   cut.length = length;
   cut.width = width;
@@ -114,7 +114,7 @@ class Rig {
 
   Rig(const Rig&) = delete;  // the step refers to the mesh
 
-  Insertion cut(const CutPlane& plane) {
+  Insertion cut(const PlaneCut& plane) {
     const Insertion done = mesh.insert(planeField(plane, mesh, motion.x));
     for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
       motion.x.push_back(motion.x[mesh.copyParent(c)]);

@@ -18,15 +18,15 @@ inline Scene softBar() {
 
 inline Hold holdLeftEnd() { return {{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}; }
 
-inline CutPlane plane(const Vec3& point, const Vec3& normal) {
-  CutPlane cut;
+inline PlaneCut plane(const Vec3& point, const Vec3& normal) {
+  PlaneCut cut;
   cut.point = point;
   cut.normal = normal;
   return cut;
 }
 
-inline CutPlane rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
-  CutPlane cut = plane(point, normal);
+inline PlaneCut rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
+  PlaneCut cut = plane(point, normal);
   cut.tangent = tangent;
   cut.length = length;
   cut.width = width;

@@ -33,7 +33,7 @@ struct Body {
     for (int c = 0; c < mesh.numCopies(); ++c) x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
   }
 
-  Insertion cut(const CutPlane& plane) {
+  Insertion cut(const PlaneCut& plane) {
     const Insertion done = mesh.insert(planeField(plane, mesh, x));
     addNewCopies();
     return done;
@@ -55,15 +55,15 @@ TetMesh jitteredGrid(const std::array<int, 3>& cells, double jitter, Random& ran
   return mesh;
 }
 
-CutPlane plane(const Vec3& point, const Vec3& normal) {
-  CutPlane cut;
+PlaneCut plane(const Vec3& point, const Vec3& normal) {
+  PlaneCut cut;
   cut.point = point;
   cut.normal = normal;
   return cut;
 }
 
-CutPlane rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
-  CutPlane cut = plane(point, normal);
+PlaneCut rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
+  PlaneCut cut = plane(point, normal);
   cut.tangent = tangent;
   cut.length = length;
   cut.width = width;
@@ -294,7 +294,7 @@ TEST(Surface, OfARectangleThatEndsInsideIsClosed) {
 TEST(Surface, OfOneElementCutAHundredTimesIsClosed) {
   Body body(gridMesh({}));
   for (int i = 1; i <= 100; ++i) {
-    const CutPlane slice = plane(Vec3(i / 101.0, 0, 0), Vec3(1, 0.2, 0));
+    const PlaneCut slice = plane(Vec3(i / 101.0, 0, 0), Vec3(1, 0.2, 0));
     CrackField crack = planeField(slice, body.mesh, body.x);
     crack.contains = [&](int part, const Barycentric&) { return body.mesh.parts()[part].element == 2; };
     body.mesh.insert(crack);

@@ -88,7 +88,7 @@ TEST_F(StrokeTest, DrawnThroughSeparatesAsAPlaneDoes) {
   expectPieces(HALVES);
 
   DeformableBody cut(scene(), loadMesh(scene()));
-  CutPlane plane;
+  PlaneCut plane;
   plane.point = Vec3(0, Y, 0);
   plane.normal = Vec3::UnitY();
   const CutResult by_plane = cut.cut(plane);

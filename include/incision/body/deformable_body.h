@@ -69,7 +69,7 @@ class DeformableBody {
   StepResult step();
 
   /// Cuts at once, in the current configuration. Never throws for what the plane says: it is REJECTED with the reason.
-  CutResult cut(const CutPlane& plane);
+  CutResult cut(const PlaneCut& plane);
 
   /// Cuts before the step that starts at the first k Δt ≥ time.
   void schedule(const ScheduledCut& cut);

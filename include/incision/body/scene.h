@@ -34,7 +34,7 @@ inline constexpr std::size_t MAX_LABEL = 64;
 
 struct ScheduledCut {
   double time = 0;  ///< takes effect before the step that starts at the first k Δt ≥ time
-  CutPlane plane;
+  PlaneCut plane;
 };
 
 struct Scene {

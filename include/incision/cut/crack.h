@@ -10,7 +10,7 @@
 namespace incision {
 
 /// A plane or rectangle given from outside, in the deformed configuration.
-struct CutPlane {
+struct PlaneCut {
   std::string label;
   Vec3 point = Vec3::Zero();    ///< on the plane; the rectangle's centre [m]
   Vec3 normal = Vec3::UnitX();  ///< towards the positive side; any length but zero
@@ -22,7 +22,7 @@ struct CutPlane {
 };
 
 /// Why this plane cannot be a cut, in words for the one who sent it; empty when it can.
-std::string whyInvalid(const CutPlane& plane);
+std::string whyInvalid(const PlaneCut& plane);
 
 /// A crack as the cut mesh sees it: a signed distance at the copies, linear in each part, and bounds.
 struct CrackField {
@@ -37,6 +37,6 @@ class CutMesh;
 
 /// φ_c = n·(x_c − point) and the rectangle's bounds at the copies' current positions `x` [m]. The field refers to
 /// `mesh` and `x`.
-CrackField planeField(const CutPlane& plane, const CutMesh& mesh, const std::vector<Vec3>& x);
+CrackField planeField(const PlaneCut& plane, const CutMesh& mesh, const std::vector<Vec3>& x);
 
 }  // namespace incision

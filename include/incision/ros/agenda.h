@@ -21,15 +21,15 @@ inline constexpr std::size_t MAX_WAITING_POSES = 256;
 class Agenda {
  public:
   /// When the agenda is full, the cut with the latest stamp is put out and returned.
-  std::optional<CutPlane> add(const CutPlane& plane, Nanoseconds stamp);
+  std::optional<PlaneCut> add(const PlaneCut& plane, Nanoseconds stamp);
   void add(const ToolPose& pose, Nanoseconds stamp);
 
   /// What is stamped up to `time`, in order.
-  std::vector<CutPlane> takeCuts(Nanoseconds time);
+  std::vector<PlaneCut> takeCuts(Nanoseconds time);
   std::vector<ToolPose> takePoses(Nanoseconds time);
 
   /// Empties the agenda; returns the cuts that will not be made.
-  std::vector<CutPlane> clear();
+  std::vector<PlaneCut> clear();
 
   /// Commands so far that arrived after their stamp had been passed, and poses left out.
   std::uint64_t late() const;
@@ -49,7 +49,7 @@ class Agenda {
   std::vector<T> take(std::deque<Entry<T>>& entries, Nanoseconds time);
 
   mutable std::mutex mutex_;
-  std::deque<Entry<CutPlane>> cuts_;
+  std::deque<Entry<PlaneCut>> cuts_;
   std::deque<Entry<ToolPose>> poses_;
   std::int64_t arrivals_ = 0;
   Nanoseconds taken_ = 0;

@@ -35,7 +35,7 @@ class CommandInput {
   void clear(const Refused& refused);
 
  private:
-  void receiveCut(const CutPlaneMessage& message);
+  void receiveCut(const CutPlane& message);
   void receivePose(const geometry_msgs::PoseStamped& message);
   void accept(const Command& command);
   void release(const Command& command);

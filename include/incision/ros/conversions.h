@@ -4,9 +4,11 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Vector3.h>
+#include <incision/BodyState.h>
+#include <incision/CutPlane.h>
+#include <incision/CutReport.h>
 
 #include "incision/body/deformable_body.h"
-#include "incision/ros/messages.h"
 
 namespace incision {
 
@@ -16,14 +18,14 @@ geometry_msgs::Point toPoint(const Vec3& v);
 geometry_msgs::Vector3 toVector3(const Vec3& v);
 
 /// As the message stands, in the message's frame; nothing is checked.
-CutPlane toCutPlane(const CutPlaneMessage& message);
+PlaneCut toPlaneCut(const CutPlane& message);
 /// The same; the quaternion is normalised.
 ToolPose toToolPose(const geometry_msgs::Pose& pose);
 
 Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform);
 
 /// The same plane, or pose, seen from the frame that `to_frame` maps into.
-CutPlane transformed(const CutPlane& plane, const Eigen::Isometry3d& to_frame);
+PlaneCut transformed(const PlaneCut& plane, const Eigen::Isometry3d& to_frame);
 ToolPose transformed(const ToolPose& pose, const Eigen::Isometry3d& to_frame);
 
 /// All but the header.

@@ -36,7 +36,7 @@ class IncisionNode {
   void reset();
 
   bool applyCommands(bool step_due);
-  void applyCut(const CutPlane& plane);
+  void applyCut(const PlaneCut& plane);
   void applyPose(const ToolPose& pose);
   bool stepDue();
   void step();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <incision/BodyState.h>
+#include <incision/CutReport.h>
 #include <ros/node_handle.h>
 
 #include <array>
@@ -7,7 +9,6 @@
 
 #include "incision/body/deformable_body.h"
 #include "incision/ros/command.h"
-#include "incision/ros/messages.h"
 
 namespace incision {
 

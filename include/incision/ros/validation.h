@@ -1,11 +1,11 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <incision/CutPlane.h>
 
 #include <optional>
 
 #include "incision/ros/command.h"
-#include "incision/ros/messages.h"
 
 namespace incision {
 
@@ -19,11 +19,11 @@ inline constexpr double MAX_POSITION = 1e9;
 inline constexpr double QUATERNION_TOLERANCE = 0.01;
 
 /// Why this message cannot be used, or nothing when it can.
-std::optional<Refused> whyRefused(const CutPlaneMessage& message);
+std::optional<Refused> whyRefused(const CutPlane& message);
 std::optional<Refused> whyRefused(const geometry_msgs::PoseStamped& message);
 
 /// The command in a message that can be used. An empty frame means `body_frame`.
-Command toCommand(const CutPlaneMessage& message, const std::string& body_frame, SteadyTime received);
+Command toCommand(const CutPlane& message, const std::string& body_frame, SteadyTime received);
 Command toCommand(const geometry_msgs::PoseStamped& message, const std::string& body_frame, SteadyTime received);
 
 }  // namespace incision
