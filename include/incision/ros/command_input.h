@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <incision/CutPlane.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
