@@ -62,7 +62,10 @@ class Client:
         return self._services['step']()
 
     def reset(self):
-        return self._services['reset']()
+        """Returns when a state after the reset has come, so that no test sees what the one before it left."""
+        answer = self._services['reset']()
+        self.next_state()
+        return answer
 
     def cut(self, **fields):
         """Asks for a cut and waits for its report."""
