@@ -84,8 +84,6 @@ struct DeformableBody::State {
   std::optional<ToolPose> tool_pose;
   Stroke stroke;
   CutResult stroke_result;
-  std::vector<int> piece;  // of each copy
-  int pieces = 0;
   std::uint64_t topology_version = 0;
   mutable Surface surface;
   mutable std::uint64_t surface_version = 0;
@@ -112,7 +110,6 @@ void DeformableBody::State::topologyChanged() {
     motion.v.push_back(motion.v[mesh.copyParent(c)]);
   }
   step.topologyChanged(motion);
-  piece = mesh.copyPieces(&pieces);
   ++topology_version;
 }
 
@@ -139,7 +136,7 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
       result.reason = limit.what();
     }
   }
-  result.pieces = pieces;
+  result.pieces = step.pieces();
   result.duration = secondsSince(start_time);
   return result;
 }
@@ -177,7 +174,7 @@ std::optional<CutResult> DeformableBody::State::endStroke() {
   stroke = Stroke();
   if (result.status == CutStatus::MISSED) return std::nullopt;  // it grazed the body
   result.label = "tool";
-  result.pieces = pieces;
+  result.pieces = step.pieces();
   return result;
 }
 
@@ -281,7 +278,7 @@ BodyCounts DeformableBody::counts() const {
   counts.copies = mesh.numCopies();
   counts.dofs = 3 * counts.copies;
   counts.cracks = mesh.numCracks();
-  counts.pieces = state_->pieces;
+  counts.pieces = state_->step.pieces();
   return counts;
 }
 
@@ -303,10 +300,10 @@ BodyMotion DeformableBody::motion() const {
 }
 
 std::vector<double> DeformableBody::pieceVolumes() const {
-  std::vector<double> volumes(state_->pieces, 0);
+  std::vector<double> volumes(state_->step.pieces(), 0);
   const std::vector<Part>& parts = state_->mesh.parts();
   for (std::size_t p = 0; p < parts.size(); ++p)
-    volumes[state_->piece[parts[p].copies[0]]] += state_->step.assembly().volume(static_cast<int>(p));
+    volumes[state_->step.pieceOf()[parts[p].copies[0]]] += state_->step.assembly().volume(static_cast<int>(p));
   std::sort(volumes.begin(), volumes.end());
   return volumes;
 }

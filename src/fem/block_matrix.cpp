@@ -1,26 +1,78 @@
 #include "incision/fem/block_matrix.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "incision/fem/parallel.h"
 
 namespace incision {
 namespace {
 
-/// Blocks of one row and the terms of each, sorted by column.
-void collectRow(const Assembly& assembly, const BlockPattern& pattern, int row,
-                std::vector<std::pair<int, int>>* found) {
-  found->clear();
+/// Calls f(column, term) for all that the parts round a row's copy couple it to, in the order of the parts.
+template <typename Function>
+void forEachTerm(const Assembly& assembly, const BlockPattern& pattern, int row, const Function& f) {
   const int copy = pattern.copies[row];
   for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
     const Corner& corner = assembly.corners()[k];
     const Part& part = assembly.mesh().parts()[corner.part];
-    for (int J = 0; J < 4; ++J) {
-      const int column = pattern.row_of[part.copies[J]];
-      if (column >= 0) found->emplace_back(column, 16 * corner.part + 4 * corner.node + J);
-    }
+    for (int J = 0; J < 4; ++J)
+      if (const int column = pattern.row_of[part.copies[J]]; column >= 0)
+        f(column, 16 * corner.part + 4 * corner.node + J);
   }
-  std::sort(found->begin(), found->end());
+}
+
+/// A table over the rows, one for each thread, that lives on: it is filled anew, where it is read, for every row.
+std::vector<int>& tableOfRows(int rows) {
+  thread_local std::vector<int> table;
+  if (static_cast<int>(table.size()) < rows) table.resize(rows, -1);
+  return table;
+}
+
+/// Turns counts at [i + 1] into starts.
+void accumulate(std::vector<int>* starts) { std::partial_sum(starts->begin(), starts->end(), starts->begin()); }
+
+/// Finds row_start and column. Each row collects its columns where four for each of its corners have room.
+void findColumns(const Assembly& assembly, BlockPattern* pattern) {
+  std::vector<int> room(4 * assembly.corners().size());
+  pattern->row_start.assign(pattern->rows() + 1, 0);
+  const auto columnsOf = [&](int row) { return &room[4 * assembly.cornerStart()[pattern->copies[row]]]; };
+  parallelFor(pattern->rows(), assembly.threads(), [&](int row) {
+    std::vector<int>& seen_by = tableOfRows(pattern->rows());
+    int *const columns = columnsOf(row), *end = columns;
+    forEachTerm(assembly, *pattern, row, [&](int column, int) { seen_by[column] = -1; });
+    forEachTerm(assembly, *pattern, row, [&](int column, int) {
+      if (seen_by[column] == row) return;
+      seen_by[column] = row;
+      *end++ = column;
+    });
+    std::sort(columns, end);
+    pattern->row_start[row + 1] = static_cast<int>(end - columns);
+  });
+  accumulate(&pattern->row_start);
+  pattern->column.resize(pattern->row_start.back());
+  parallelFor(pattern->rows(), assembly.threads(), [&](int row) {
+    const int begin = pattern->row_start[row];
+    std::copy_n(columnsOf(row), pattern->row_start[row + 1] - begin, pattern->column.begin() + begin);
+  });
+}
+
+/// Finds the terms of the blocks from the diagonal on.
+void findTerms(const Assembly& assembly, BlockPattern* pattern) {
+  const auto forEachUpper = [&](int row, const auto& f) {
+    std::vector<int>& block_of = tableOfRows(pattern->rows());
+    for (int k = pattern->row_start[row]; k < pattern->row_start[row + 1]; ++k) block_of[pattern->column[k]] = k;
+    forEachTerm(assembly, *pattern, row, [&](int column, int term) {
+      if (column >= row) f(block_of[column], term);
+    });
+  };
+  pattern->term_start.assign(pattern->column.size() + 1, 0);
+  parallelFor(pattern->rows(), assembly.threads(),
+              [&](int row) { forEachUpper(row, [&](int block, int) { ++pattern->term_start[block + 1]; }); });
+  accumulate(&pattern->term_start);
+  pattern->terms.resize(pattern->term_start.back());
+  std::vector<int> next(pattern->term_start.begin(), pattern->term_start.end() - 1);
+  parallelFor(pattern->rows(), assembly.threads(),
+              [&](int row) { forEachUpper(row, [&](int block, int term) { pattern->terms[next[block]++] = term; }); });
 }
 
 void findMirrors(BlockPattern* pattern) {
@@ -42,20 +94,8 @@ BlockPattern blockPattern(const Assembly& assembly, const std::vector<int>& orde
   pattern.copies = order;
   pattern.row_of.assign(assembly.mesh().numCopies(), -1);
   for (std::size_t r = 0; r < order.size(); ++r) pattern.row_of[order[r]] = static_cast<int>(r);
-  pattern.row_start.push_back(0);
-  pattern.term_start.push_back(0);
-  std::vector<std::pair<int, int>> found;
-  for (int row = 0; row < pattern.rows(); ++row) {
-    collectRow(assembly, pattern, row, &found);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (i > 0 && found[i].first == found[i - 1].first) continue;
-      pattern.column.push_back(found[i].first);
-      for (std::size_t j = i; found[i].first >= row && j < found.size() && found[j].first == found[i].first; ++j)
-        pattern.terms.push_back(found[j].second);
-      pattern.term_start.push_back(static_cast<int>(pattern.terms.size()));
-    }
-    pattern.row_start.push_back(static_cast<int>(pattern.column.size()));
-  }
+  findColumns(assembly, &pattern);
+  findTerms(assembly, &pattern);
   findMirrors(&pattern);
   return pattern;
 }

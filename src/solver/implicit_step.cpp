@@ -34,6 +34,7 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass m
 
 void ImplicitStep::topologyChanged(const Motion& motion) {
   assembly_.topologyChanged(motion.x);
+  piece_ = mesh_.copyPieces(&pieces_);
   held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
   for (int c = static_cast<int>(dv_.size()); c < mesh_.numCopies(); ++c)

@@ -46,7 +46,9 @@ class ImplicitStep {
   const Assembly& assembly() const { return assembly_; }
   const SolveStats& stats() const { return stats_; }
   const StepTimes& times() const { return times_; }
-  const std::vector<int>& held() const { return held_; }
+  /// The piece of each copy, and how many there are.
+  const std::vector<int>& pieceOf() const { return piece_; }
+  int pieces() const { return pieces_; }
 
  private:
   void prepareMatrix(double time_step, const Motion& motion);
@@ -60,6 +62,8 @@ class ImplicitStep {
   SolverSettings settings_;
   Assembly assembly_;
   std::unique_ptr<LinearSolver> solver_;
+  std::vector<int> piece_;  // of each copy
+  int pieces_ = 0;
   std::vector<int> held_nodes_, held_;          // hold of each node and copy, or −1
   std::vector<std::vector<Vec3>> load_forces_;  // of each load, by copy [N]
   bool topology_known_ = false, matrix_known_ = false;
