@@ -46,6 +46,8 @@ class ImplicitStep {
   const Assembly& assembly() const { return assembly_; }
   const SolveStats& stats() const { return stats_; }
   const StepTimes& times() const { return times_; }
+  /// The hold of each copy, or −1.
+  const std::vector<int>& held() const { return held_; }
   /// The piece of each copy, and how many there are.
   const std::vector<int>& pieceOf() const { return piece_; }
   int pieces() const { return pieces_; }
