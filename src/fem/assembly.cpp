@@ -1,5 +1,7 @@
 #include "incision/fem/assembly.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "incision/fem/parallel.h"
@@ -49,8 +51,18 @@ void Assembly::topologyChanged(const std::vector<Vec3>& x) {
 
 void Assembly::rotate(const std::vector<Vec3>& x) {
   if (!warping_) return;
-  parallelFor(static_cast<int>(rotations_.size()), threads_,
-              [&](int p) { rotations_[p] = polarRotation(gradientOf(p, x), rotations_[p]); });
+  const int parts = static_cast<int>(rotations_.size());
+  parallelFor((parts + LANES - 1) / LANES, threads_, [&](int group) {
+    const int first = LANES * group;
+    std::array<Mat3, LANES> F, R;
+    for (int l = 0; l < LANES; ++l) {
+      const int p = std::min(first + l, parts - 1);  // the last one fills up its group
+      F[l] = gradientOf(p, x);
+      R[l] = rotations_[p];
+    }
+    polarRotations(F.data(), R.data());
+    for (int p = first; p < std::min(first + LANES, parts); ++p) rotations_[p] = R[p - first];
+  });
 }
 
 void Assembly::resetRotations() { rotations_.assign(rotations_.size(), Mat3::Identity()); }

@@ -109,5 +109,31 @@ TEST_F(Rotations, StayProperOverManySteps) {
   expectBest(F, R);
 }
 
+// Side by side: small turns from the guess, a half turn, inverted and flat ones in one group.
+TEST(PolarRotations, EqualThoseFoundOneByOne) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 2000; ++round) {
+    std::array<Mat3, LANES> F, R;
+    for (int l = 0; l < LANES; ++l) {
+      const double turn = round % 4 == 0 && l == 1 ? 3 : 0.05, strain = round % 8 == 1 ? 0.9 : 0.2;
+      R[l] = Eigen::Quaterniond(uniform(generator), uniform(generator), uniform(generator), uniform(generator))
+                 .normalized()
+                 .toRotationMatrix();
+      F[l] = Mat3::NullaryExpr([&] { return strain * uniform(generator); });
+      F[l] = R[l] * Eigen::AngleAxisd(turn, Vec3(uniform(generator), 1, uniform(generator)).normalized()) *
+             (Mat3::Identity() + 0.5 * (F[l] + F[l].transpose()));
+      if (round % 16 == 2 && l == 2) F[l].col(0) = F[l].col(1);
+    }
+    const std::array<Mat3, LANES> guess = R;
+    polarRotations(F.data(), R.data());
+    for (int l = 0; l < LANES; ++l) {
+      EXPECT_LT((R[l].transpose() * R[l] - Mat3::Identity()).norm(), 1e-14);
+      // What counts is the maximum: where it is flat the rotations may differ.
+      EXPECT_NEAR((R[l].transpose() * F[l]).trace(), (polarRotation(F[l], guess[l]).transpose() * F[l]).trace(), 1e-13);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace incision
