@@ -29,9 +29,14 @@ const NodeComponents& ComponentFinder::find(int node) {
 
   for (int s = first; s < last; ++s) {
     const int e = topology.star[s], local = localNode(mesh_.mesh().elements[e], node);
-    for (int f = 0; f < 4; ++f)
-      if (f != local && topology.neighbours[e][f] > e)
+    for (int f = 0; f < 4; ++f) {
+      const int across = topology.neighbours[e][f];
+      if (f == local || across <= e) continue;
+      if (mesh_.isWhole(e) && mesh_.isWhole(across))
+        join(e, across);
+      else
         for (const auto& [p, q] : joined(e, f)) join(p, q);
+    }
   }
 
   found_.component.assign(link_.size(), -1);

@@ -47,6 +47,7 @@ CutMesh::CutMesh(TetMesh mesh)
   }
   copy_parent_.resize(copy_node_.size());
   std::iota(copy_parent_.begin(), copy_parent_.end(), 0);
+  parts_.reserve(mesh_.elements.size() + mesh_.elements.size() / 4);
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
     Part part{static_cast<int>(e), {}, 1, -1, -1};
     for (int I = 0; I < 4; ++I) part.copies[I] = own_copy_[mesh_.elements[e][I]];
@@ -76,7 +77,7 @@ std::vector<FacePair> CutMesh::facePairs(int element, int face) const {
   if (across < 0) return pairs;
   int back = 0;
   while (topology_.neighbours[across][back] != element) ++back;
-  if (parts_[element].detail < 0 && parts_[across].detail < 0) return {{element, across, false, WHOLE_FACE}};
+  if (isWhole(element) && isWhole(across)) return {{element, across, false, WHOLE_FACE}};
 
   const auto& nodes = FACE_NODES[face];
   std::array<int, 3> same{};  // the face's nodes, as the neighbour numbers them
@@ -117,6 +118,7 @@ std::vector<int> CutMesh::copyPieces(int* num_pieces) const {
   };
   for (const Part& part : parts_)
     for (int I = 1; I < 4; ++I) {
+      if (link[part.copies[0]] == link[part.copies[I]]) continue;
       const int a = root(part.copies[0]), b = root(part.copies[I]);
       link[std::max(a, b)] = std::min(a, b);
     }

@@ -197,6 +197,9 @@ void CutMesh::apply(Plan&& plan) {
     cut.products = m.products;
     parts_[part].fraction = m.fraction;
   };
+  // At once, but still in growing leaps: a stroke adds a few parts in each of many steps.
+  const std::size_t needed = details_.size() + 2 * plan.splits.size();
+  if (details_.capacity() < needed) details_.reserve(std::max(needed, 2 * details_.capacity()));
   for (SplitPart& split : plan.splits) {
     const int positive = split.part, negative = static_cast<int>(parts_.size());
     std::vector<FaceSide> inherited = makeDetail(positive).face_sides;

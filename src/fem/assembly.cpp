@@ -21,7 +21,13 @@ Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, boo
       mass_(mass),
       warping_(warping),
       threads_(threads),
-      rest_(restElements(mesh.mesh())) {}
+      rest_(restElements(mesh.mesh())) {
+  // Room for cuts, or the first one would move these arrays, the largest but for the matrix.
+  const std::size_t expected = mesh.parts().size() + mesh.parts().size() / 4;
+  rotations_.reserve(expected);
+  part_forces_.reserve(expected);
+  corners_.reserve(4 * expected);
+}
 
 void Assembly::topologyChanged(const std::vector<Vec3>& x) {
   const std::vector<Part>& parts = mesh_.parts();

@@ -28,12 +28,24 @@ std::vector<int>& tableOfRows(int rows) {
   return table;
 }
 
+/// Resizes without keeping the values, and with room for the next cuts: a body's largest arrays must not move for each.
+template <typename T>
+void resizeWithRoom(std::size_t size, std::vector<T>* values) {
+  if (values->capacity() < size) {
+    values->clear();
+    values->reserve(size + size / 4);
+  }
+  values->resize(size);
+}
+
 /// Turns counts at [i + 1] into starts.
 void accumulate(std::vector<int>* starts) { std::partial_sum(starts->begin(), starts->end(), starts->begin()); }
 
 /// Finds row_start and column. Each row collects its columns where four for each of its corners have room.
 void findColumns(const Assembly& assembly, BlockPattern* pattern) {
-  std::vector<int> room(4 * assembly.corners().size());
+  thread_local std::vector<int> kept_room;
+  std::vector<int>& room = kept_room;  // the caller's, for all threads
+  resizeWithRoom(4 * assembly.corners().size(), &room);
   pattern->row_start.assign(pattern->rows() + 1, 0);
   const auto columnsOf = [&](int row) { return &room[4 * assembly.cornerStart()[pattern->copies[row]]]; };
   parallelFor(pattern->rows(), assembly.threads(), [&](int row) {
@@ -49,7 +61,7 @@ void findColumns(const Assembly& assembly, BlockPattern* pattern) {
     pattern->row_start[row + 1] = static_cast<int>(end - columns);
   });
   accumulate(&pattern->row_start);
-  pattern->column.resize(pattern->row_start.back());
+  resizeWithRoom(pattern->row_start.back(), &pattern->column);
   parallelFor(pattern->rows(), assembly.threads(), [&](int row) {
     const int begin = pattern->row_start[row];
     std::copy_n(columnsOf(row), pattern->row_start[row + 1] - begin, pattern->column.begin() + begin);
@@ -69,7 +81,7 @@ void findTerms(const Assembly& assembly, BlockPattern* pattern) {
   parallelFor(pattern->rows(), assembly.threads(),
               [&](int row) { forEachUpper(row, [&](int block, int) { ++pattern->term_start[block + 1]; }); });
   accumulate(&pattern->term_start);
-  pattern->terms.resize(pattern->term_start.back());
+  resizeWithRoom(pattern->term_start.back(), &pattern->terms);
   std::vector<int> next(pattern->term_start.begin(), pattern->term_start.end() - 1);
   parallelFor(pattern->rows(), assembly.threads(),
               [&](int row) { forEachUpper(row, [&](int block, int term) { pattern->terms[next[block]++] = term; }); });
@@ -89,15 +101,13 @@ void findMirrors(BlockPattern* pattern) {
 
 }  // namespace
 
-BlockPattern blockPattern(const Assembly& assembly, const std::vector<int>& order) {
-  BlockPattern pattern;
-  pattern.copies = order;
-  pattern.row_of.assign(assembly.mesh().numCopies(), -1);
-  for (std::size_t r = 0; r < order.size(); ++r) pattern.row_of[order[r]] = static_cast<int>(r);
-  findColumns(assembly, &pattern);
-  findTerms(assembly, &pattern);
-  findMirrors(&pattern);
-  return pattern;
+void findPattern(const Assembly& assembly, const std::vector<int>& order, BlockPattern* pattern) {
+  pattern->copies = order;
+  pattern->row_of.assign(assembly.mesh().numCopies(), -1);
+  for (std::size_t r = 0; r < order.size(); ++r) pattern->row_of[order[r]] = static_cast<int>(r);
+  findColumns(assembly, pattern);
+  findTerms(assembly, pattern);
+  findMirrors(pattern);
 }
 
 std::vector<double> diagonalScale(const Assembly& assembly, const SystemFactors& factors) {
@@ -133,7 +143,7 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
     weights_[p] = factors.stiffness * assembly.volume(p);
   });
   const T lambda = static_cast<T>(assembly.material().lambda()), mu = static_cast<T>(assembly.material().mu());
-  blocks->resize(BLOCK_SIZE * pattern.column.size());
+  resizeWithRoom(BLOCK_SIZE * pattern.column.size(), blocks);
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     for (int k = pattern.diagonal[row]; k < pattern.row_start[row + 1]; ++k) {
       const double scales = scale[row] * scale[pattern.column[k]];

@@ -42,6 +42,7 @@ class UnionFind {
     return i;
   }
   void join(int a, int b) {
+    if (link_[a] == link_[b]) return;
     a = root(a);
     b = root(b);
     link_[std::max(a, b)] = std::min(a, b);

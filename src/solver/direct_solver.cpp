@@ -17,7 +17,7 @@ void DirectSolver::topologyChanged(const Assembly& assembly, const std::vector<b
   std::vector<int> free_copies;
   for (int c = 0; c < assembly.mesh().numCopies(); ++c)
     if (!held[c]) free_copies.push_back(c);
-  pattern_ = blockPattern(assembly, free_copies);
+  findPattern(assembly, free_copies, &pattern_);
   ones_.assign(free_copies.size(), 1);
   const std::vector<double> diagonal = diagonalScale(assembly, factors);
   norms_.topologyChanged(assembly, free_copies, piece, diagonal);

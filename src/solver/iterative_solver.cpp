@@ -30,7 +30,7 @@ void IterativeSolver::topologyChanged(const Assembly& assembly, const std::vecto
   assembly_ = &assembly;
   factors_ = factors;
   aggregates_ = aggregate(assembly.mesh(), held);
-  pattern_ = blockPattern(assembly, aggregates_.copies);
+  findPattern(assembly, aggregates_.copies, &pattern_);
   const std::vector<double> diagonal = diagonalScale(assembly, factors);
   const int rows = pattern_.rows();
   scale_.resize(rows);

@@ -70,7 +70,8 @@ inline double largest(const std::vector<Vec3>& a) {
 /// mass M + stiffness K over the listed copies, as the solvers get it.
 inline Eigen::SparseMatrix<double> systemMatrix(const Assembly& assembly, const SystemFactors& factors,
                                                 const std::vector<int>& copies) {
-  const BlockPattern pattern = blockPattern(assembly, copies);
+  BlockPattern pattern;
+  findPattern(assembly, copies, &pattern);
   std::vector<double> blocks;
   BlockAssembler<double>().assemble(assembly, pattern, factors, std::vector<double>(copies.size(), 1), &blocks);
   std::vector<Eigen::Triplet<double>> entries;

@@ -81,6 +81,8 @@ class CutMesh {
   const std::vector<Part>& parts() const { return parts_; }
   const CutPart& detail(int part) const { return details_[parts_[part].detail]; }
   int numCracks() const { return num_cracks_; }
+  /// Whether no crack has met an element.
+  bool isWhole(int element) const { return parts_[element].detail < 0; }
 
   const Polytope& polytope(int part) const;
   Barycentric centroid(int part) const;

@@ -22,8 +22,8 @@ struct BlockPattern {
   int rows() const { return static_cast<int>(copies.size()); }
 };
 
-/// Rows are the copies listed in `order`, which leaves out the held ones.
-BlockPattern blockPattern(const Assembly& assembly, const std::vector<int>& order);
+/// Rows are the copies listed in `order`, which leaves out the held ones. Arrays keep their memory from call to call.
+void findPattern(const Assembly& assembly, const std::vector<int>& order, BlockPattern* pattern);
 
 /// The factors in A = mass M + stiffness K.
 struct SystemFactors {
