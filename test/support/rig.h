@@ -8,28 +8,13 @@
 #include "incision/fem/block_matrix.h"
 #include "incision/mesh/grid_mesh.h"
 #include "incision/solver/implicit_step.h"
+#include "support/cuts.h"
 
 namespace incision {
 
 /// A block of cells with its smallest corner at `origin`.
 inline TetMesh block(const std::array<int, 3>& cells, const Vec3& size, const Vec3& origin = Vec3::Zero()) {
   return gridMesh({cells, size, origin});
-}
-
-inline PlaneCut plane(const Vec3& point, const Vec3& normal) {
-  PlaneCut cut;
-  cut.point = point;
-  cut.normal = normal;
-  return cut;
-}
-
-/// A rectangle of `length` along `tangent` and `width` across; 0: unbounded.
-inline PlaneCut rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
-  PlaneCut cut = plane(point, normal);
-  cut.tangent = tangent;
-  cut.length = length;
-  cut.width = width;
-  return cut;
 }
 
 /// The nodes at one value of a coordinate; of a body of some metres.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "incision/body/deformable_body.h"
+#include "support/cuts.h"
 
 namespace incision::test {
 
@@ -18,20 +19,8 @@ inline Scene softBar() {
 
 inline Hold holdLeftEnd() { return {{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}; }
 
-inline PlaneCut plane(const Vec3& point, const Vec3& normal) {
-  PlaneCut cut;
-  cut.point = point;
-  cut.normal = normal;
-  return cut;
-}
-
-inline PlaneCut rectangle(const Vec3& point, const Vec3& normal, const Vec3& tangent, double length, double width) {
-  PlaneCut cut = plane(point, normal);
-  cut.tangent = tangent;
-  cut.length = length;
-  cut.width = width;
-  return cut;
-}
+using incision::plane;
+using incision::rectangle;
 
 inline void run(DeformableBody* body, int steps) {
   for (int k = 0; k < steps; ++k) body->step();
