@@ -89,9 +89,8 @@ bool ImplicitStep::prepare(LinearSolver* solver, bool new_pattern, double time_s
     const Material& material = assembly_.material();
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
-    int pieces = 0;
     solver->topologyChanged(
-        assembly_, held, mesh_.copyPieces(&pieces),
+        assembly_, held, piece_,
         {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
   }
   return solver->matrixChanged(motion.x);

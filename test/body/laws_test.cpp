@@ -29,9 +29,7 @@ Scene cutInMotion(Method method, int threads) {
   scene.body.material.stiffness_damping = 1e-3;
   scene.solver.method = method;
   scene.solver.threads = threads;
-  scene.cuts = {{0, plane(Vec3(0.61, 0, 0), Vec3(1, 0.3, 0.2))},
-                {0.05, plane(Vec3(0.3, 0.12, 0.1), Vec3(0.1, 0.2, 1))},
-                {0.1, rectangle(Vec3(0.35, 0.1, 0), Vec3(1, 0.2, 0), Vec3::UnitY(), 0.2, 0.4)}};
+  scene.cuts = test::crossingCuts(0);
   return scene;
 }
 

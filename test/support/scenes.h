@@ -22,6 +22,14 @@ inline Hold holdLeftEnd() { return {{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::
 using incision::plane;
 using incision::rectangle;
 
+/// Three cuts of the soft bar that cross each other, the last one bounded: the first at a given time [s], the others at
+/// 0.05 and 0.1 s.
+inline std::vector<ScheduledCut> crossingCuts(double first) {
+  return {{first, plane(Vec3(0.61, 0, 0), Vec3(1, 0.3, 0.2))},
+          {0.05, plane(Vec3(0.3, 0.12, 0.1), Vec3(0.1, 0.2, 1))},
+          {0.1, rectangle(Vec3(0.35, 0.1, 0), Vec3(1, 0.2, 0), Vec3::UnitY(), 0.2, 0.4)}};
+}
+
 inline void run(DeformableBody* body, int steps) {
   for (int k = 0; k < steps; ++k) body->step();
 }
