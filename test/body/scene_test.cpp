@@ -1,6 +1,7 @@
 #include "incision/body/scene.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cstdio>
@@ -32,7 +33,7 @@ std::string complaint(const std::string& text) {
 class SceneFile {
  public:
   explicit SceneFile(const std::string& text, const std::string& name = "scene.yaml")
-      : path_(::testing::TempDir() + name) {
+      : path_(::testing::TempDir() + std::to_string(getpid()) + "_" + name) {
     std::ofstream(path_, std::ios::binary) << text;
   }
   ~SceneFile() { std::remove(path_.c_str()); }
