@@ -65,7 +65,7 @@ struct DeformableBody::State {
   }
 
   void start();
-  void topologyChanged();
+  void topologyChanged(const std::vector<int>& touched = {});
   CutResult cut(const PlaneCut& plane);
   std::optional<CutResult> moveTool(const ToolPose& pose);
   std::optional<CutResult> endStroke();
@@ -104,12 +104,12 @@ void DeformableBody::State::start() {
 }
 
 /// New copies start where their parent is, and move as it does.
-void DeformableBody::State::topologyChanged() {
+void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
   for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
     motion.x.push_back(motion.x[mesh.copyParent(c)]);
     motion.v.push_back(motion.v[mesh.copyParent(c)]);
   }
-  step.topologyChanged(motion);
+  step.topologyChanged(motion, touched);
   ++topology_version;
 }
 
@@ -125,7 +125,7 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
       const Insertion done = mesh.insert(planeField(plane, mesh, motion.x));
       result.status = done.changed() ? CutStatus::APPLIED : CutStatus::MISSED;
       if (done.changed())
-        topologyChanged();
+        topologyChanged(done.touched);
       else
         result.reason = missedReason(done);
       result.cracks = done.changed() ? 1 : 0;
@@ -157,7 +157,7 @@ std::optional<CutResult> DeformableBody::State::moveTool(const ToolPose& pose) {
       stroke_result.cracks = 1;
       stroke_result.parts_split += done.parts_split;
       stroke_result.copies_added += done.copies_added;
-      topologyChanged();
+      topologyChanged(done.touched);
     }
   } catch (const InputError& limit) {
     stroke_result.status = CutStatus::REJECTED;

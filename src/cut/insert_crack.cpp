@@ -27,6 +27,11 @@ Barycentric inElement(const FacePoint& point, int face) {
   return b;
 }
 
+void sortUnique(std::vector<int>* values) {
+  std::sort(values->begin(), values->end());
+  values->erase(std::unique(values->begin(), values->end()), values->end());
+}
+
 /// How positive a component is at a crack, by its parts that hold the node: the better of two has the higher highest
 /// side, or as high a one and the higher lowest.
 struct Rank {
@@ -65,7 +70,7 @@ Insertion CutMesh::insert(const CrackField& crack) {
   if (!done.changed()) return done;
   checkLimits(work);
   const int before = numCopies();
-  apply(std::move(work));
+  done.touched = apply(std::move(work));
   done.crack = number;
   num_cracks_ = std::max(num_cracks_, number + 1);
   done.copies_added = numCopies() - before;
@@ -181,7 +186,8 @@ CutPart& CutMesh::makeDetail(int part) {
   return details_[parts_[part].detail];
 }
 
-void CutMesh::apply(Plan&& plan) {
+/// Returns the nodes of all parts that are not as they were, ascending.
+std::vector<int> CutMesh::apply(Plan&& plan) {
   std::vector<int> nodes;
   std::vector<std::pair<int, int>> sides;  // parts at the new crack, and on which side of it they lie
   const auto touch = [&](int part, int side) {
@@ -218,14 +224,17 @@ void CutMesh::apply(Plan&& plan) {
     touch(pair.part, 1);
     touch(pair.other, -1);
   }
-  reconnect(std::move(nodes), sides);
+  sortUnique(&nodes);
+  const std::vector<int> reconnected = reconnect(nodes, sides);
+  nodes.insert(nodes.end(), reconnected.begin(), reconnected.end());
+  sortUnique(&nodes);
+  return nodes;
 }
 
 /// Gives every component round the nodes a copy of its own. The own copy stays with the component that holds the node
-/// and is most positive; an extended copy with its first component.
-void CutMesh::reconnect(std::vector<int> nodes, const std::vector<std::pair<int, int>>& sides) {
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+/// and is most positive; an extended copy with its first component. Returns the nodes of parts whose copies changed.
+std::vector<int> CutMesh::reconnect(const std::vector<int>& nodes, const std::vector<std::pair<int, int>>& sides) {
+  std::vector<int> touched;
   const std::unordered_map<int, int> side_of(sides.begin(), sides.end());
   ComponentFinder finder(*this);
   std::vector<int> old_copy, new_copy, keeper;
@@ -258,9 +267,15 @@ void CutMesh::reconnect(std::vector<int> nodes, const std::vector<std::pair<int,
       copy_node_.push_back(node);
       copy_parent_.push_back(old_copy[c]);
     }
-    for (std::size_t i = 0; i < found.parts.size(); ++i)
-      parts_[found.parts[i]].copies[found.local_node[i]] = new_copy[found.component[i]];
+    for (std::size_t i = 0; i < found.parts.size(); ++i) {
+      int& copy = parts_[found.parts[i]].copies[found.local_node[i]];
+      if (copy == new_copy[found.component[i]]) continue;
+      copy = new_copy[found.component[i]];
+      const auto& element = mesh_.elements[parts_[found.parts[i]].element];
+      touched.insert(touched.end(), element.begin(), element.end());
+    }
   }
+  return touched;
 }
 
 }  // namespace incision

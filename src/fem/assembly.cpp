@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "incision/fem/parallel.h"
 #include "incision/fem/rotation.h"
@@ -26,33 +28,80 @@ Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, boo
   const std::size_t expected = mesh.parts().size() + mesh.parts().size() / 4;
   rotations_.reserve(expected);
   part_forces_.reserve(expected);
-  corners_.reserve(4 * expected);
 }
 
-void Assembly::topologyChanged(const std::vector<Vec3>& x) {
+void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched) {
   const std::vector<Part>& parts = mesh_.parts();
-  const int copies = mesh_.numCopies();
-  part_forces_.resize(parts.size());
-  masses_.assign(copies, 0);
-  corner_start_.assign(copies + 1, 0);
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const Barycentric N = mesh_.centroid(static_cast<int>(p));
-    for (int I = 0; I < 4; ++I) {
-      masses_[parts[p].copies[I]] += material_.density * volume(static_cast<int>(p)) * N[I];
-      ++corner_start_[parts[p].copies[I] + 1];
-    }
-  }
-  for (int c = 0; c < copies; ++c) corner_start_[c + 1] += corner_start_[c];
-  corners_.resize(corner_start_.back());
-  std::vector<int> end(corner_start_.begin(), corner_start_.end() - 1);
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    for (int I = 0; I < 4; ++I) corners_[end[parts[p].copies[I]]++] = {static_cast<int>(p), I};
+  const bool first = corner_start_.empty();
+  std::vector<char> is_touched(mesh_.mesh().nodes.size(), first);
+  for (int node : touched) is_touched[node] = 1;
+  findCorners(is_touched);
 
+  const int copies = mesh_.numCopies();
+  for (auto* sums : {&masses_, &mass_diagonal_, &stiffness_diagonal_, &force_rounding_}) sums->resize(copies);
+  parallelFor(copies, threads_, [&](int c) {
+    if (is_touched[mesh_.copyNode(c)]) sumCorners(c);
+  });
+
+  part_forces_.resize(parts.size());
   const std::size_t known = rotations_.size();
   rotations_.resize(parts.size(), Mat3::Identity());
   if (!warping_) return;
   for (std::size_t p = known; p < parts.size(); ++p)
     rotations_[p] = polarRotation(gradientOf(static_cast<int>(p), x), rotations_[parts[p].element]);
+}
+
+/// Lists the corners of every copy by ascending part; those of untouched nodes keep theirs.
+void Assembly::findCorners(const std::vector<char>& touched) {
+  const MeshTopology& topology = mesh_.topology();
+  const int copies = mesh_.numCopies();
+  const auto forEachCorner = [&](const auto& f) {
+    for (std::size_t n = 0; n < touched.size(); ++n) {
+      if (!touched[n]) continue;
+      for (int s = topology.star_start[n]; s < topology.star_start[n + 1]; ++s) {
+        const auto& nodes = mesh_.mesh().elements[topology.star[s]];
+        const int I = static_cast<int>(std::find(nodes.begin(), nodes.end(), static_cast<int>(n)) - nodes.begin());
+        for (int p = topology.star[s]; p >= 0; p = mesh_.parts()[p].next) f(mesh_.parts()[p].copies[I], Corner{p, I});
+      }
+    }
+  };
+  std::vector<int> start(copies + 1, 0);
+  for (int c = 0; c < copies; ++c)
+    if (!touched[mesh_.copyNode(c)]) start[c + 1] = corner_start_[c + 1] - corner_start_[c];
+  forEachCorner([&](int copy, const Corner&) { ++start[copy + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+
+  std::vector<Corner> corners;
+  corners.reserve(start.back() + start.back() / 8);  // the next cut's
+  corners.resize(start.back());
+  std::vector<int> end(start.begin(), start.end() - 1);
+  for (int c = 0; c < copies; ++c)
+    if (!touched[mesh_.copyNode(c)])
+      std::copy_n(corners_.begin() + corner_start_[c], start[c + 1] - start[c], corners.begin() + start[c]);
+  forEachCorner([&](int copy, const Corner& corner) { corners[end[copy]++] = corner; });
+  for (int c = 0; c < copies; ++c)
+    if (touched[mesh_.copyNode(c)])
+      std::sort(corners.begin() + start[c], corners.begin() + start[c + 1],
+                [](const Corner& a, const Corner& b) { return a.part < b.part; });
+  corners_ = std::move(corners);
+  corner_start_ = std::move(start);
+}
+
+// The trace of K_cc is V_p (λ + 4 μ) b_I·b_I for each corner. The rounding of a force: F is a sum of y_J b_Jᵀ that
+// mostly cancel, so it has that of the largest, and the stress carries it on.
+void Assembly::sumCorners(int c) {
+  const double lambda = material_.lambda(), mu = material_.mu();
+  masses_[c] = mass_diagonal_[c] = stiffness_diagonal_[c] = force_rounding_[c] = 0;
+  for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k) {
+    const auto [p, I] = corners_[k];
+    const Gradients& b = rest_[mesh_.parts()[p].element].b;
+    const double V = volume(p), largest = std::sqrt(b.colwise().squaredNorm().maxCoeff());
+    masses_[c] += material_.density * V * mesh_.centroid(p)[I];
+    mass_diagonal_[c] += massProduct(p, I, I);
+    stiffness_diagonal_[c] += V * (lambda + 4 * mu) / 3 * b.col(I).squaredNorm();
+    force_rounding_[c] +=
+        ROUNDINGS * std::numeric_limits<double>::epsilon() * (lambda + 2 * mu) * V * b.col(I).norm() * largest;
+  }
 }
 
 void Assembly::rotate(const std::vector<Vec3>& x) {
@@ -71,7 +120,11 @@ void Assembly::rotate(const std::vector<Vec3>& x) {
   });
 }
 
-void Assembly::resetRotations() { rotations_.assign(rotations_.size(), Mat3::Identity()); }
+void Assembly::reset() {
+  rotations_.clear();
+  corners_.clear();
+  corner_start_.clear();
+}
 
 // K_e is V_e Bᵀ D B, and B acts on R_pᵀ y − X through its gradient R_pᵀ F − I alone: the force on node I is V_p R σ
 // b_I.
@@ -82,19 +135,6 @@ void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forc
     part_forces_[p].noalias() = (volume(p) * R * stress) * rest_[mesh_.parts()[p].element].b;
   });
   gather(forces);
-}
-
-// F is a sum of y_J b_Jᵀ that mostly cancel: its rounding is that of the largest, and the stress carries it on.
-std::vector<double> Assembly::forceRounding() const {
-  const double modulus = material_.lambda() + 2 * material_.mu();
-  std::vector<double> rounding(masses_.size(), 0);
-  for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
-    const Gradients& b = rest_[mesh_.parts()[p].element].b;
-    const double stress = ROUNDINGS * std::numeric_limits<double>::epsilon() * modulus * b.colwise().norm().maxCoeff();
-    for (int I = 0; I < 4; ++I)
-      rounding[mesh_.parts()[p].copies[I]] += volume(static_cast<int>(p)) * b.col(I).norm() * stress;
-  }
-  return rounding;
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {

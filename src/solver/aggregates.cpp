@@ -1,38 +1,13 @@
 #include "incision/solver/aggregates.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
 namespace incision {
 namespace {
 
-/// Smaller groups make the coarse matrix dear (three times the step at 20k nodes with 8), larger ones the iterations
-/// many (twice with 512).
-constexpr int TARGET_SIZE = 64;
-
 /// Three copies in a line cannot tell a rotation about it; four rarely lie in one.
 constexpr int MIN_SIZE = 4;
-
-/// Numbers the leaves of a recursive bisection of copies[begin … end) across its longest side.
-void bisect(const CutMesh& mesh, std::vector<int>* copies, int begin, int end, std::vector<int>* leaf, int* leaves) {
-  const auto X = [&](int c) -> const Vec3& { return mesh.mesh().nodes[mesh.copyNode(c)]; };
-  const int groups = (end - begin + TARGET_SIZE - 1) / TARGET_SIZE;
-  if (groups <= 1) {
-    for (int i = begin; i < end; ++i) (*leaf)[(*copies)[i]] = *leaves;
-    ++*leaves;
-    return;
-  }
-  Eigen::AlignedBox3d box;
-  for (int i = begin; i < end; ++i) box.extend(X((*copies)[i]));
-  int axis;
-  box.sizes().maxCoeff(&axis);
-  const int middle = begin + static_cast<int>(static_cast<long>(end - begin) * (groups / 2) / groups);
-  std::nth_element(copies->begin() + begin, copies->begin() + middle, copies->begin() + end,
-                   [&](int a, int b) { return X(a)[axis] != X(b)[axis] ? X(a)[axis] < X(b)[axis] : a < b; });
-  bisect(mesh, copies, begin, middle, leaf, leaves);
-  bisect(mesh, copies, middle, end, leaf, leaves);
-}
 
 class UnionFind {
  public:
@@ -52,15 +27,27 @@ class UnionFind {
   std::vector<int> link_;
 };
 
-/// Joins groups below MIN_SIZE to one they share a part with.
-void mergeSmall(const CutMesh& mesh, const std::vector<bool>& held, UnionFind* groups) {
-  std::vector<int> size(mesh.numCopies(), 0);
-  for (int c = 0; c < mesh.numCopies(); ++c) ++size[groups->root(c)];
-  for (const Part& part : mesh.parts())
-    for (int I = 1; I < 4; ++I) {
-      if (held[part.copies[0]] || held[part.copies[I]]) continue;
-      const int a = groups->root(part.copies[0]), b = groups->root(part.copies[I]);
-      if (a == b || (size[a] >= MIN_SIZE && size[b] >= MIN_SIZE)) continue;
+/// Where the ranges of rows begin that share a leaf, those of more than two leaves' worth of copies halved.
+std::vector<int> leafStarts(const CutMesh& mesh, const NodeOrder& order, const BlockPattern& pattern) {
+  const auto leaf = [&](int row) { return order.leaf[mesh.copyNode(pattern.copies[row])]; };
+  std::vector<int> starts;
+  for (int begin = 0, end = 0; begin < pattern.rows(); begin = end) {
+    while (end < pattern.rows() && leaf(end) == leaf(begin)) ++end;
+    const int shares = (end - begin + 2 * LEAF_SIZE - 1) / (2 * LEAF_SIZE);
+    for (int k = 0; k < shares; ++k) starts.push_back(begin + (end - begin) * k / shares);
+  }
+  starts.push_back(pattern.rows());
+  return starts;
+}
+
+/// Joins groups below MIN_SIZE to one that a block connects them to.
+void mergeSmall(const BlockPattern& pattern, UnionFind* groups) {
+  std::vector<int> size(pattern.rows(), 0);
+  for (int row = 0; row < pattern.rows(); ++row) ++size[groups->root(row)];
+  for (int row = 0; row < pattern.rows(); ++row)
+    for (int k = pattern.row_start[row]; k < pattern.row_start[row + 1] && size[groups->root(row)] < MIN_SIZE; ++k) {
+      const int a = groups->root(row), b = groups->root(pattern.column[k]);
+      if (a == b) continue;
       groups->join(a, b);
       size[groups->root(a)] = size[a] + size[b];
     }
@@ -68,33 +55,33 @@ void mergeSmall(const CutMesh& mesh, const std::vector<bool>& held, UnionFind* g
 
 }  // namespace
 
-Aggregates aggregate(const CutMesh& mesh, const std::vector<bool>& held) {
-  std::vector<int> copies, leaf(mesh.numCopies(), -1);
-  for (int c = 0; c < mesh.numCopies(); ++c)
-    if (!held[c]) copies.push_back(c);
-  int leaves = 0;
-  bisect(mesh, &copies, 0, static_cast<int>(copies.size()), &leaf, &leaves);
+Aggregates aggregate(const CutMesh& mesh, const NodeOrder& order, const BlockPattern& pattern) {
+  const int rows = pattern.rows();
+  UnionFind groups(rows);
+  const std::vector<int> starts = leafStarts(mesh, order, pattern);
+  for (std::size_t s = 0; s + 1 < starts.size(); ++s)
+    for (int row = starts[s]; row < starts[s + 1]; ++row)
+      for (int k = pattern.diagonal[row]; k < pattern.row_start[row + 1] && pattern.column[k] < starts[s + 1]; ++k)
+        groups.join(row, pattern.column[k]);
+  mergeSmall(pattern, &groups);
 
-  UnionFind groups(mesh.numCopies());
-  for (const Part& part : mesh.parts())
-    for (int I = 0; I < 4; ++I)
-      for (int J = I + 1; J < 4; ++J)
-        if (!held[part.copies[I]] && leaf[part.copies[I]] == leaf[part.copies[J]])
-          groups.join(part.copies[I], part.copies[J]);
-  mergeSmall(mesh, held, &groups);
-
-  // Groups in the order of their first copy in the bisection, which keeps neighbours close in memory.
-  std::vector<int> number(mesh.numCopies(), -1);
-  int count = 0;
-  for (int c : copies)
-    if (int& n = number[groups.root(c)]; n < 0) n = count++;
   Aggregates result;
-  result.start.assign(count + 1, 0);
-  for (int c : copies) ++result.start[number[groups.root(c)] + 1];
+  std::vector<int> number(rows, -1);
+  result.of.resize(rows);
+  result.start.assign(1, 0);
+  for (int row = 0; row < rows; ++row) {
+    int& n = number[groups.root(row)];
+    if (n < 0) {
+      n = result.count();
+      result.start.push_back(0);
+    }
+    result.of[row] = n;
+    ++result.start[n + 1];
+  }
   std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
-  result.copies.resize(copies.size());
+  result.rows.resize(rows);
   std::vector<int> end(result.start.begin(), result.start.end() - 1);
-  for (int c : copies) result.copies[end[number[groups.root(c)]]++] = c;
+  for (int row = 0; row < rows; ++row) result.rows[end[result.of[row]]++] = row;
   return result;
 }
 

@@ -26,39 +26,43 @@ void CoarseSpace::topologyChanged(const BlockPattern& pattern, const Aggregates&
                                   const std::vector<double>& scale) {
   pattern_ = &pattern;
   aggregates_ = &aggregates;
-  const int rows = pattern.rows();
-  inverse_scale_.resize(rows);
-  for (int i = 0; i < rows; ++i) inverse_scale_[i] = 1 / scale[i];
-  aggregate_of_.resize(rows);
-  for (int a = 0; a < aggregates.count(); ++a)
-    std::fill(aggregate_of_.begin() + aggregates.start[a], aggregate_of_.begin() + aggregates.start[a + 1], a);
-  arm_.resize(rows);
+  arm_.resize(pattern.rows());
+  for (int i = 0; i < pattern.rows(); ++i) arm_[i].w() = static_cast<float>(1 / scale[i]);
+  findBlocks();
+  findUnknowns();
+}
 
+void CoarseSpace::findBlocks() {
   block_start_.assign(1, 0);
   column_.clear();
-  std::vector<int> seen(aggregates.count(), -1);
-  for (int I = 0; I < aggregates.count(); ++I) {
-    for (int i = aggregates.start[I]; i < aggregates.start[I + 1]; ++i)
-      for (int k = pattern.row_start[i]; k < pattern.row_start[i + 1]; ++k) {
-        const int J = aggregate_of_[pattern.column[k]];
+  std::vector<int> seen(aggregates_->count(), -1);
+  for (int I = 0; I < aggregates_->count(); ++I) {
+    for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
+      const int i = aggregates_->rows[n];
+      for (int k = pattern_->row_start[i]; k < pattern_->row_start[i + 1]; ++k) {
+        const int J = aggregates_->of[pattern_->column[k]];
         if (J > I || seen[J] == I) continue;
         seen[J] = I;
         column_.push_back(J);
       }
+    }
     std::sort(column_.begin() + block_start_.back(), column_.end());
     block_start_.push_back(static_cast<int>(column_.size()));
   }
   coarse_blocks_.resize(column_.size());
+}
 
-  // By columns of the lower triangle: for each column block J the row blocks I ≥ J that hold it.
-  std::vector<std::vector<std::pair<int, int>>> in_column(aggregates.count());
-  for (int I = 0; I < aggregates.count(); ++I)
+/// Lists the entries of the lower triangle by columns: for each column block J the row blocks I ≥ J that hold it.
+void CoarseSpace::findUnknowns() {
+  const int count = aggregates_->count();
+  std::vector<std::vector<std::pair<int, int>>> in_column(count);
+  for (int I = 0; I < count; ++I)
     for (int k = block_start_[I]; k < block_start_[I + 1]; ++k) in_column[column_[k]].emplace_back(I, k);
   LowerTriangle lower;
   lower.column_start.push_back(0);
   source_.clear();
   unknown_column_.clear();
-  for (int J = 0; J < aggregates.count(); ++J)
+  for (int J = 0; J < count; ++J)
     for (int j = 0; j < MODES; ++j) {
       for (const auto& [I, k] : in_column[J])
         for (int i = I == J ? j : 0; i < MODES; ++i) {
@@ -70,58 +74,65 @@ void CoarseSpace::topologyChanged(const BlockPattern& pattern, const Aggregates&
     }
   unknown_row_ = lower.row;
   values_.resize(source_.size());
-  unit_.resize(MODES * aggregates.count());
-  right_.resize(MODES * aggregates.count());
-  solution_.assign(MODES * aggregates.count(), 0);
+  unit_.resize(MODES * count);
+  right_.resize(MODES * count);
+  solution_.assign(MODES * count, 0);
+  motions_.assign(2 * count, Vec4f::Zero());
   cholesky_.analyse(lower, MODES);
 }
 
 void CoarseSpace::matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads) {
-  parallelFor(aggregates_->count(), threads, [&](int a) {
-    const int begin = aggregates_->start[a], end = aggregates_->start[a + 1];
-    Vec3 centre = Vec3::Zero();
-    for (int i = begin; i < end; ++i) centre += x[pattern_->copies[i]] / (end - begin);
-    double radius = 0;
-    for (int i = begin; i < end; ++i) {
-      arm_[i] = x[pattern_->copies[i]] - centre;
-      radius = std::max(radius, arm_[i].norm());
-    }
-    for (int i = begin; i < end && radius > 0; ++i) arm_[i] /= radius;
-  });
+  parallelFor(aggregates_->count(), threads, [&](int a) { placeModes(a, x); });
   parallelFor(aggregates_->count(), threads, [&](int a) { projectAggregate(a, blocks); });
   usable_ = false;
   for (double extra = REGULARISATION; !usable_ && extra <= MAX_REGULARISATION; extra *= 100) usable_ = factorise(extra);
 }
 
-CoarseSpace::Modes CoarseSpace::modes(int row) const {
-  Modes Q;
-  Q.leftCols<3>() = inverse_scale_[row] * Mat3::Identity();
-  Q.rightCols<3>() = -inverse_scale_[row] * crossMatrix(arm_[row]);
-  return Q;
+void CoarseSpace::placeModes(int a, const std::vector<Vec3>& x) {
+  const auto begin = aggregates_->rows.begin() + aggregates_->start[a];
+  const auto end = aggregates_->rows.begin() + aggregates_->start[a + 1];
+  const auto position = [&](int row) -> const Vec3& { return x[pattern_->copies[row]]; };
+  Vec3 centre = Vec3::Zero();
+  for (auto i = begin; i != end; ++i) centre += position(*i) / static_cast<double>(end - begin);
+  double radius = 0;
+  for (auto i = begin; i != end; ++i) radius = std::max(radius, (position(*i) - centre).norm());
+  for (auto i = begin; i != end; ++i) {
+    const Vec3 arm = radius > 0 ? Vec3((position(*i) - centre) / radius) : Vec3::Zero();
+    arm_[*i].head<3>() = arm_[*i].w() * arm.cast<float>();
+  }
 }
 
 /// Coarse blocks (I, J) = Σ_{i ∈ I, j ∈ J} Q_iᵀ A_ij Q_j of one row of aggregates.
 void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
-  for (int c = block_start_[I]; c < block_start_[I + 1]; ++c) coarse_blocks_[c].setZero();
-  for (int i = aggregates_->start[I]; i < aggregates_->start[I + 1]; ++i) {
-    const Modes Qi = modes(i);
-    // Columns ascend, and so do their aggregates: each row adds to its coarse blocks one after the other.
-    int c = block_start_[I];
+  // Where in row I each coarse column is; filled anew, where it is read, for every row.
+  thread_local std::vector<int> place;
+  if (static_cast<int>(place.size()) < aggregates_->count()) place.resize(aggregates_->count());
+  for (int c = block_start_[I]; c < block_start_[I + 1]; ++c) {
+    coarse_blocks_[c].setZero();
+    place[column_[c]] = c;
+  }
+  for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
+    const int i = aggregates_->rows[n];
+    // Columns of one aggregate mostly follow each other: A_ij Q_j is summed over such a run first.
     for (int k = pattern_->row_start[i]; k < pattern_->row_start[i + 1];) {
-      const int J = aggregate_of_[pattern_->column[k]];
-      if (J > I) break;
-      Modes AQ = Modes::Zero();
-      for (; k < pattern_->row_start[i + 1] && aggregate_of_[pattern_->column[k]] == J; ++k) {
-        const int j = pattern_->column[k];
+      const int J = aggregates_->of[pattern_->column[k]];
+      Mat3 shift = Mat3::Zero(), turn = Mat3::Zero();
+      for (; k < pattern_->row_start[i + 1] && aggregates_->of[pattern_->column[k]] == J; ++k) {
+        if (J > I) continue;
+        const Vec4f& arm = arm_[pattern_->column[k]];
         const Mat3 A = Eigen::Map<const Eigen::Matrix<float, 4, 3>>(&blocks[static_cast<std::size_t>(BLOCK_SIZE) * k])
                            .topRows<3>()
-                           .cast<double>() *
-                       inverse_scale_[j];
-        AQ.leftCols<3>() += A;
-        AQ.rightCols<3>() -= A * crossMatrix(arm_[j]);
+                           .cast<double>();
+        shift += arm.w() * A;
+        turn -= A * crossMatrix(arm.head<3>().cast<double>());
       }
-      while (column_[c] != J) ++c;
-      coarse_blocks_[c].noalias() += Qi.transpose() * AQ;
+      if (J > I) continue;
+      const Mat3 arms = crossMatrix(arm_[i].head<3>().cast<double>());
+      CoarseBlock& block = coarse_blocks_[place[J]];
+      block.topLeftCorner<3, 3>() += arm_[i].w() * shift;
+      block.topRightCorner<3, 3>() += arm_[i].w() * turn;
+      block.bottomLeftCorner<3, 3>() += arms * shift;
+      block.bottomRightCorner<3, 3>() += arms * turn;
     }
   }
 }
@@ -141,12 +152,12 @@ bool CoarseSpace::factorise(double regularisation) {
   return cholesky_.factorise(values_);
 }
 
-void CoarseSpace::restrictAggregate(int aggregate, const std::vector<Vec3>& r) {
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  for (int i = aggregates_->start[aggregate]; i < aggregates_->start[aggregate + 1]; ++i) {
-    const Vec3 f = inverse_scale_[i] * r[i];
-    force += f;
-    moment += arm_[i].cross(f);
+void CoarseSpace::restrictAggregate(int aggregate, const std::vector<Vec4f>& r) {
+  Vec4f force = Vec4f::Zero(), moment = Vec4f::Zero();
+  for (int n = aggregates_->start[aggregate]; n < aggregates_->start[aggregate + 1]; ++n) {
+    const int i = aggregates_->rows[n];
+    force += arm_[i].w() * r[i];
+    moment += cross(arm_[i], r[i]);
   }
   for (int m = 0; m < 3; ++m) {
     right_[MODES * aggregate + m] = force[m] * unit_[MODES * aggregate + m];
@@ -157,14 +168,8 @@ void CoarseSpace::restrictAggregate(int aggregate, const std::vector<Vec3>& r) {
 void CoarseSpace::solve() {
   if (!usable_) return;
   cholesky_.solve(right_, &solution_);
-  for (std::size_t m = 0; m < solution_.size(); ++m) solution_[m] *= unit_[m];
-}
-
-Vec3 CoarseSpace::prolong(int aggregate, int row) const {
-  if (!usable_) return Vec3::Zero();
-  const double* e = &solution_[MODES * aggregate];
-  const Vec3 shift(e[0], e[1], e[2]), turn(e[3], e[4], e[5]);
-  return inverse_scale_[row] * (shift + turn.cross(arm_[row]));
+  for (std::size_t a = 0; a < motions_.size(); ++a)
+    for (int m = 0; m < 3; ++m) motions_[a][m] = static_cast<float>(solution_[3 * a + m] * unit_[3 * a + m]);
 }
 
 }  // namespace incision

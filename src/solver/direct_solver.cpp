@@ -10,20 +10,19 @@ constexpr double ATTAINABLE = 1e-12;
 
 }  // namespace
 
-void DirectSolver::topologyChanged(const Assembly& assembly, const std::vector<bool>& held,
-                                   const std::vector<int>& piece, const SystemFactors& factors) {
+void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) {
   assembly_ = &assembly;
   factors_ = factors;
   std::vector<int> free_copies;
-  for (int c = 0; c < assembly.mesh().numCopies(); ++c)
-    if (!held[c]) free_copies.push_back(c);
+  std::vector<double> scale;
+  for (int c = 0; c < assembly.mesh().numCopies(); ++c) {
+    if (change.held[c]) continue;
+    free_copies.push_back(c);
+    scale.push_back(1 / std::sqrt(diagonalOf(assembly, factors, c)));
+  }
   findPattern(assembly, free_copies, &pattern_);
   ones_.assign(free_copies.size(), 1);
-  const std::vector<double> diagonal = diagonalScale(assembly, factors);
-  norms_.topologyChanged(assembly, free_copies, piece, diagonal);
-  scale_.clear();
-  for (int c : free_copies) scale_.push_back(1 / std::sqrt(diagonal[c]));
-  r_.resize(free_copies.size());
+  norms_.systemChanged(assembly, free_copies, change.piece, scale);
 
   LowerTriangle lower;
   lower.column_start.push_back(0);
@@ -49,27 +48,23 @@ bool DirectSolver::matrixChanged(const std::vector<Vec3>&) {
   return cholesky_.factorise(values_);
 }
 
-SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding, std::vector<Vec3>* dv) {
+SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding,
+                               const std::vector<std::vector<Vec3>>&, std::vector<Vec3>* dv) {
   SolveStats stats;
   if (pattern_.rows() == 0) return stats;
   for (int c : pattern_.copies) (*dv)[c].setZero();
-  takeResidual(residual, *dv);
-  norms_.setRightHandSide(r_, rounding, ATTAINABLE);
+  residual(*dv, &residual_);
+  norms_.setRightHandSide(residual_, rounding, ATTAINABLE);
   if (norms_.total() == 0) return stats;
   b_.resize(3 * pattern_.rows());
   for (int r = 0; r < pattern_.rows(); ++r)
-    for (int i = 0; i < 3; ++i) b_[3 * r + i] = nodal_residual_[pattern_.copies[r]][i];
+    for (int i = 0; i < 3; ++i) b_[3 * r + i] = residual_[pattern_.copies[r]][i];
   cholesky_.solve(b_, &solution_);
   for (int r = 0; r < pattern_.rows(); ++r)
     for (int i = 0; i < 3; ++i) (*dv)[pattern_.copies[r]][i] = solution_[3 * r + i];
-  takeResidual(residual, *dv);
-  stats.residual = norms_.worstRatio(r_);
+  residual(*dv, &residual_);
+  stats.residual = norms_.worstRatio(residual_);
   return stats;
-}
-
-void DirectSolver::takeResidual(const Residual& residual, const std::vector<Vec3>& dv) {
-  residual(dv, &nodal_residual_);
-  for (int r = 0; r < pattern_.rows(); ++r) r_[r] = scale_[r] * nodal_residual_[pattern_.copies[r]];
 }
 
 }  // namespace incision

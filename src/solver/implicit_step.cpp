@@ -5,6 +5,7 @@
 
 #include "incision/fem/parallel.h"
 #include "incision/solver/direct_solver.h"
+#include "incision/solver/first_guess.h"
 
 namespace incision {
 namespace {
@@ -32,21 +33,27 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass m
       solver_(makeLinearSolver(settings)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
 
-void ImplicitStep::topologyChanged(const Motion& motion) {
-  assembly_.topologyChanged(motion.x);
+void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>& touched) {
+  assembly_.topologyChanged(motion.x, touched);
+  touched_.insert(touched_.end(), touched.begin(), touched.end());
   piece_ = mesh_.copyPieces(&pieces_);
   held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
-  for (int c = static_cast<int>(dv_.size()); c < mesh_.numCopies(); ++c)
-    dv_.push_back(mesh_.copyParent(c) < c ? Vec3(dv_[mesh_.copyParent(c)]) : Vec3::Zero());
-  force_rounding_ = assembly_.forceRounding();
+  dv_.resize(mesh_.numCopies(), Vec3::Zero());
+  basis_.resize(BASIS_SIZE);
+  for (std::vector<Vec3>& differences : basis_)
+    for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
+      differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
   topology_known_ = false;
   fallback_steps_ = 0;
 }
 
 void ImplicitStep::reset() {
-  assembly_.resetRotations();
-  dv_.clear();
+  assembly_.reset();
+  solver_ = makeLinearSolver(settings_);
+  fallback_.reset();
+  touched_.clear();
+  basis_.clear();
 }
 
 bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
@@ -65,9 +72,10 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
 
   const auto updating = std::chrono::steady_clock::now();
   if (!stats_.converged || !allFinite(dv_)) {
-    dv_.assign(dv_.size(), Vec3::Zero());
+    for (std::vector<Vec3>& differences : basis_) differences.assign(differences.size(), Vec3::Zero());
     return false;
   }
+  remember();
   for (int c = 0; c < mesh_.numCopies(); ++c) {
     motion->v[c] += dv_[c];
     motion->x[c] += time_step * motion->v[c];
@@ -76,21 +84,38 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
   return true;
 }
 
+/// Takes Δv into the differences: D_0 = Δv, D_k = D_{k−1} − its value a step ago.
+void ImplicitStep::remember() {
+  parallelFor(mesh_.numCopies(), settings_.threads, [&](int c) {
+    Vec3 next = dv_[c];
+    for (std::vector<Vec3>& differences : basis_) {
+      const Vec3 last = differences[c];
+      differences[c] = next;
+      next -= last;
+    }
+  });
+}
+
 void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
-  const bool new_pattern = !topology_known_ || time_step != matrix_time_step_;
-  if (!new_pattern && matrix_known_ && !assembly_.warping()) return;
-  matrix_known_ = prepare(fallback_steps_ > 0 ? fallback_.get() : solver_.get(), new_pattern, time_step, motion);
+  const bool new_system = !topology_known_ || time_step != matrix_time_step_;
+  if (!new_system && matrix_known_ && !assembly_.warping()) return;
+  if (fallback_steps_ > 0) {
+    matrix_known_ = prepare(fallback_.get(), new_system, time_step, motion);
+  } else {
+    matrix_known_ = prepare(solver_.get(), new_system, time_step, motion);
+    touched_.clear();
+  }
   topology_known_ = true;
   matrix_time_step_ = time_step;
 }
 
-bool ImplicitStep::prepare(LinearSolver* solver, bool new_pattern, double time_step, const Motion& motion) {
-  if (new_pattern) {
+bool ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion) {
+  if (new_system) {
     const Material& material = assembly_.material();
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
-    solver->topologyChanged(
-        assembly_, held, piece_,
+    solver->systemChanged(
+        assembly_, {held, piece_, touched_},
         {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
   }
   return solver->matrixChanged(motion.x);
@@ -99,21 +124,21 @@ bool ImplicitStep::prepare(LinearSolver* solver, bool new_pattern, double time_s
 SolveStats ImplicitStep::solve(double time_step, const Motion& motion) {
   double reach = 0;
   for (const Vec3& x : motion.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
-  rounding_.resize(force_rounding_.size());
-  for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step * reach * force_rounding_[c];
+  rounding_.resize(assembly_.forceRounding().size());
+  for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step * reach * assembly_.forceRounding()[c];
   const Residual r = [&](const std::vector<Vec3>& dv, std::vector<Vec3>* at) { residual(time_step, motion, dv, at); };
 
   if (fallback_steps_ > 0) {
     if (--fallback_steps_ == 0) topology_known_ = false;
-    return fallback_->solve(r, rounding_, &dv_);
+    return fallback_->solve(r, rounding_, basis_, &dv_);
   }
-  SolveStats stats = solver_->solve(r, rounding_, &dv_);
+  SolveStats stats = solver_->solve(r, rounding_, basis_, &dv_);
   if (stats.converged) return stats;
   if (!fallback_) fallback_ = std::make_unique<DirectSolver>();
   fallback_steps_ = FALLBACK_STEPS;
   if (!prepare(fallback_.get(), true, time_step, motion)) return stats;
   const int iterations = stats.iterations;
-  stats = fallback_->solve(r, rounding_, &dv_);
+  stats = fallback_->solve(r, rounding_, basis_, &dv_);
   stats.iterations = iterations;
   return stats;
 }

@@ -6,11 +6,12 @@
 #include <limits>
 
 #include "incision/fem/parallel.h"
+#include "incision/solver/first_guess.h"
 
 namespace incision {
 namespace {
 
-/// Iterations of one run of conjugate gradients. Scenes take 30 to 150; more means that float has lost the direction
+/// Iterations of one run of conjugate gradients. Scenes take 20 to 150; more means that float has lost the direction
 /// and a fresh residual does better.
 constexpr int MAX_ITERATIONS = 400;
 
@@ -23,22 +24,37 @@ constexpr double MIN_GAIN = 1e-5;
 /// A run aims below the tolerance by this much, since the float matrix is not quite A.
 constexpr double MARGIN = 0.7;
 
+/// Rows that a sum takes together, so that it does not depend on the count of threads.
+constexpr int CHUNK = 64;
+
+/// Σ f(row) over all rows.
+template <typename Function>
+double sumOverRows(int rows, int threads, std::vector<double>* terms, const Function& f) {
+  return parallelSum((rows + CHUNK - 1) / CHUNK, threads, terms, [&](int chunk) {
+    double sum = 0;
+    for (int i = chunk * CHUNK; i < std::min(rows, (chunk + 1) * CHUNK); ++i) sum += f(i);
+    return sum;
+  });
+}
+
 }  // namespace
 
-void IterativeSolver::topologyChanged(const Assembly& assembly, const std::vector<bool>& held,
-                                      const std::vector<int>& piece, const SystemFactors& factors) {
+void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange& change,
+                                    const SystemFactors& factors) {
+  const CutMesh& mesh = assembly.mesh();
+  if (!assembly_) order_ = orderNodes(mesh.mesh(), LEAF_SIZE);
   assembly_ = &assembly;
   factors_ = factors;
-  aggregates_ = aggregate(assembly.mesh(), held);
-  findPattern(assembly, aggregates_.copies, &pattern_);
-  const std::vector<double> diagonal = diagonalScale(assembly, factors);
+  editPattern(assembly, orderCopies(mesh, order_, change.held), change.touched, &pattern_);
+  aggregates_ = aggregate(mesh, order_, pattern_);
   const int rows = pattern_.rows();
   scale_.resize(rows);
-  for (int i = 0; i < rows; ++i) scale_[i] = 1 / std::sqrt(diagonal[pattern_.copies[i]]);
-  norms_.topologyChanged(assembly, pattern_.copies, piece, diagonal);
+  parallelFor(rows, assembly.threads(),
+              [&](int i) { scale_[i] = 1 / std::sqrt(diagonalOf(assembly, factors, pattern_.copies[i])); });
+  norms_.systemChanged(assembly, pattern_.copies, change.piece, scale_);
   inverse_diagonal_.resize(rows);
-  for (auto* v : {&y_, &r_, &z_}) v->assign(rows, Vec3::Zero());
-  for (auto* v : {&p_, &Ap_}) v->assign(rows, Eigen::Vector4f::Zero());
+  for (auto* v : {&y_, &r_, &z_, &p_, &Ap_}) v->assign(rows, Vec4f::Zero());
+  for (auto* vectors : {&basis_, &A_basis_}) vectors->assign(BASIS_SIZE, y_);
   if (rows > 0) coarse_.topologyChanged(pattern_, aggregates_, scale_);
 }
 
@@ -48,108 +64,130 @@ bool IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
   parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
     const Eigen::Map<const Eigen::Matrix<float, 4, 3>> block(
         &blocks_[static_cast<std::size_t>(BLOCK_SIZE) * pattern_.diagonal[i]]);
-    inverse_diagonal_[i] = block.topRows<3>().cast<double>().inverse();
+    inverse_diagonal_[i].setZero();
+    inverse_diagonal_[i].topRows<3>() = block.topRows<3>().cast<double>().inverse().cast<float>();
   });
   coarse_.matrixChanged(x, blocks_, assembly_->threads());
   return true;
 }
 
 SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<double>& rounding,
-                                  std::vector<Vec3>* dv) {
+                                  const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) {
   SolveStats stats;
   if (pattern_.rows() == 0) return stats;
-  std::vector<Vec3>& guess = z_;
-  for (int i = 0; i < pattern_.rows(); ++i) {
-    Vec3& value = (*dv)[pattern_.copies[i]];
-    guess[i] = value;
-    value.setZero();
-  }
-  takeResidual(residual, *dv);
-  norms_.setRightHandSide(r_, rounding, tolerance_);
+  for (int copy : pattern_.copies) (*dv)[copy].setZero();
+  residual(*dv, &residual_);
+  norms_.setRightHandSide(residual_, rounding, tolerance_);
   if (norms_.total() == 0) return stats;
-  const double from_zero = norms_.worstRatio(r_);
-  for (int i = 0; i < pattern_.rows(); ++i) (*dv)[pattern_.copies[i]] = guess[i];
-  takeResidual(residual, *dv);
-  stats.residual = norms_.worstRatio(r_);
-  if (!(stats.residual < from_zero)) {
-    for (int c : pattern_.copies) (*dv)[c].setZero();
-    takeResidual(residual, *dv);
-    stats.residual = from_zero;
-  }
+  scaleResidual();
+  guess(basis);
   double before = std::numeric_limits<double>::infinity();
-  while (stats.residual > tolerance_ && stats.residual < MIN_PROGRESS * before) {
-    before = stats.residual;
+  for (stats.residual = norms_.worstRatio(r_);;) {
     stats.iterations += iterate(std::max(MARGIN * tolerance_, MIN_GAIN * stats.residual));
-    for (int i = 0; i < pattern_.rows(); ++i) (*dv)[pattern_.copies[i]] += scale_[i] * y_[i];
-    takeResidual(residual, *dv);
-    stats.residual = norms_.worstRatio(r_);
+    parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
+      (*dv)[pattern_.copies[i]] += norms_.total() * scale_[i] * y_[i].head<3>().cast<double>();
+    });
+    residual(*dv, &residual_);
+    stats.residual = norms_.worstRatio(residual_);
+    if (stats.residual <= tolerance_ || !(stats.residual < MIN_PROGRESS * before)) break;
+    before = stats.residual;
+    scaleResidual();
+    std::fill(y_.begin(), y_.end(), Vec4f::Zero());
   }
   stats.converged = stats.residual <= tolerance_;
   return stats;
 }
 
-void IterativeSolver::takeResidual(const Residual& residual, const std::vector<Vec3>& dv) {
-  residual(dv, &nodal_residual_);
-  parallelFor(pattern_.rows(), assembly_->threads(),
-              [&](int i) { r_[i] = scale_[i] * nodal_residual_[pattern_.copies[i]]; });
-}
-
-template <typename Function>
-double IterativeSolver::sumOverAggregates(const Function& f) {
-  return parallelSum(aggregates_.count(), assembly_->threads(), &terms_, [&](int a) {
-    double sum = 0;
-    for (int i = aggregates_.start[a]; i < aggregates_.start[a + 1]; ++i) sum += f(i);
-    return sum;
+void IterativeSolver::scaleResidual() {
+  parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
+    r_[i].head<3>() = (scale_[i] / norms_.total() * residual_[pattern_.copies[i]]).cast<float>();
   });
 }
 
-/// Solves Â y = r̂ until every piece's ratio is below `target`; r_ becomes the residual of the float matrix.
+/// Takes the best sum of the basis for y_, and what it leaves of the right-hand side r_ for r_.
+void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
+  const int rows = pattern_.rows(), threads = assembly_->threads(), size = static_cast<int>(basis.size());
+  for (int j = 0; j < size; ++j) {
+    double largest = 0;
+    for (int copy : pattern_.copies) largest = std::max(largest, basis[j][copy].cwiseAbs().maxCoeff());
+    const double unit = largest > 0 ? 1 / largest : 0;
+    parallelFor(rows, threads, [&](int i) {
+      basis_[j][i].head<3>() = (unit / scale_[i] * basis[j][pattern_.copies[i]]).cast<float>();
+    });
+  }
+  parallelFor(rows, threads, [&](int i) {
+    for (int j = 0; j < size; ++j) A_basis_[j][i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
+  });
+  BasisMatrix G = BasisMatrix::Zero();
+  BasisVector h = BasisVector::Zero();
+  const auto dot = [&](const std::vector<Vec4f>& a, const std::vector<Vec4f>& b) {
+    return sumOverRows(rows, threads, &terms_, [&](int i) { return static_cast<double>(a[i].dot(b[i])); });
+  };
+  for (int j = 0; j < size; ++j) {
+    h[j] = dot(basis_[j], r_);
+    for (int k = 0; k <= j; ++k) G(j, k) = G(k, j) = dot(basis_[j], A_basis_[k]);
+  }
+  const Eigen::Matrix<float, BASIS_SIZE, 1> c = bestCombination(G, h).cast<float>();
+  parallelFor(rows, threads, [&](int i) {
+    y_[i].setZero();
+    for (int j = 0; j < size; ++j) {
+      y_[i] += c[j] * basis_[j][i];
+      r_[i] -= c[j] * A_basis_[j][i];
+    }
+  });
+}
+
+/// Adds to y_ what solves Â y = r_, until every piece's ratio is below `target`; r_ becomes the residual of the float
+/// matrix.
 int IterativeSolver::iterate(double target) {
-  for (Vec3& y : y_) y.setZero();
-  for (Eigen::Vector4f& p : p_) p.setZero();
-  double rz = 0, beta = 0;
+  const int rows = pattern_.rows(), threads = assembly_->threads();
+  if (norms_.worstRatio(r_) <= target) return 0;
+  std::fill(p_.begin(), p_.end(), Vec4f::Zero());
+  parallelFor(aggregates_.count(), threads, [&](int a) { coarse_.restrictAggregate(a, r_); });
+  double rz = 0;
   for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
-    const double next_rz = applyPreconditioner();
-    beta = iteration > 0 ? next_rz / rz : 0;
+    const double next_rz = precondition();
+    const float beta = iteration > 0 ? static_cast<float>(next_rz / rz) : 0;
     rz = next_rz;
     if (!(rz > 0)) return iteration;
-    parallelFor(pattern_.rows(), assembly_->threads(),
-                [&](int i) { p_[i].head<3>() = (z_[i] + beta * p_[i].head<3>().cast<double>()).cast<float>(); });
-    const double pAp = sumOverAggregates([&](int i) {
-      Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-      for (int k = pattern_.row_start[i]; k < pattern_.row_start[i + 1]; ++k) {
-        const Eigen::Map<const Eigen::Matrix<float, 4, 3>, Eigen::Aligned16> A(
-            &blocks_[static_cast<std::size_t>(BLOCK_SIZE) * k]);
-        const Eigen::Vector4f& p = p_[pattern_.column[k]];
-        sum += A.col(0) * p[0] + A.col(1) * p[1] + A.col(2) * p[2];
-      }
-      Ap_[i] = sum;
-      return static_cast<double>(p_[i].dot(sum));
+    parallelFor(rows, threads, [&](int i) { p_[i] = z_[i] + beta * p_[i]; });
+    const double pAp = sumOverRows(rows, threads, &terms_, [&](int i) {
+      const Vec4f Ap = multiplyRow(pattern_, blocks_, i, p_);
+      Ap_[i] = Ap;
+      return static_cast<double>(p_[i].dot(Ap));
     });
     if (!(pAp > 0)) return iteration;
-    const double alpha = rz / pAp;
-    const double rr = sumOverAggregates([&](int i) {
-      y_[i] += alpha * p_[i].head<3>().cast<double>();
-      r_[i] -= alpha * Ap_[i].head<3>().cast<double>();
-      return r_[i].squaredNorm();
-    });
-    if (std::sqrt(rr) <= target * norms_.total() && norms_.worstRatio(r_) <= target) return iteration + 1;
+    // The norm of all is cheap, but only that of the worst piece counts.
+    if (update(rz / pAp) <= target && norms_.worstRatio(r_) <= target) return iteration + 1;
   }
   return MAX_ITERATIONS;
 }
 
 /// z = (block Jacobi + coarse space) r; returns r·z.
-double IterativeSolver::applyPreconditioner() {
-  parallelFor(aggregates_.count(), assembly_->threads(), [&](int a) { coarse_.restrictAggregate(a, r_); });
+double IterativeSolver::precondition() {
   coarse_.solve();
-  return parallelSum(aggregates_.count(), assembly_->threads(), &terms_, [&](int a) {
-    double sum = 0;
-    for (int i = aggregates_.start[a]; i < aggregates_.start[a + 1]; ++i) {
-      z_[i] = inverse_diagonal_[i] * r_[i] + coarse_.prolong(a, i);
-      sum += r_[i].dot(z_[i]);
-    }
-    return sum;
+  return sumOverRows(pattern_.rows(), assembly_->threads(), &terms_, [&](int i) {
+    const Vec4f& r = r_[i];
+    const auto& inverse = inverse_diagonal_[i];
+    z_[i] = inverse.col(0) * r[0] + inverse.col(1) * r[1] + inverse.col(2) * r[2] + coarse_.prolong(i);
+    return static_cast<double>(r.dot(z_[i]));
   });
+}
+
+/// One step along p_: y_, r_ and the coarse level's right-hand side; returns ‖r‖.
+double IterativeSolver::update(double step) {
+  const float alpha = static_cast<float>(step);
+  return std::sqrt(parallelSum(aggregates_.count(), assembly_->threads(), &terms_, [&](int a) {
+    double sum = 0;
+    for (int n = aggregates_.start[a]; n < aggregates_.start[a + 1]; ++n) {
+      const int i = aggregates_.rows[n];
+      y_[i] += alpha * p_[i];
+      r_[i] -= alpha * Ap_[i];
+      sum += static_cast<double>(r_[i].squaredNorm());
+    }
+    coarse_.restrictAggregate(a, r_);
+    return sum;
+  }));
 }
 
 }  // namespace incision

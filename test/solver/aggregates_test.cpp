@@ -31,22 +31,32 @@ class Grouping : public ::testing::TestWithParam<Body> {
     for (const PlaneCut& cut : GetParam().cuts)
       EXPECT_TRUE(mesh.insert(planeField(cut, mesh, restPositions(mesh))).changed());
     for (int c = 0; c < mesh.numCopies(); ++c) held.push_back(mesh.mesh().nodes[mesh.copyNode(c)].z() == 0);
-    groups = aggregate(mesh, held);
+    Assembly assembly(mesh, {}, Mass::LUMPED, true, 1);
+    assembly.topologyChanged(restPositions(mesh));
+    order = orderNodes(mesh.mesh(), LEAF_SIZE);
+    findPattern(assembly, orderCopies(mesh, order, held), &pattern);
+    groups = aggregate(mesh, order, pattern);
   }
   CutMesh mesh;
   std::vector<bool> held;
+  NodeOrder order;
+  BlockPattern pattern;
   Aggregates groups;
 };
 
 TEST_P(Grouping, CoversEveryFreeCopyOnce) {
-  std::vector<int> found = groups.copies, expected;
+  std::vector<int> found, expected;
+  for (int row : groups.rows) found.push_back(pattern.copies[row]);
   for (int c = 0; c < mesh.numCopies(); ++c)
     if (!held[c]) expected.push_back(c);
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, expected);
   EXPECT_EQ(groups.start.front(), 0);
-  EXPECT_EQ(groups.start.back(), static_cast<int>(groups.copies.size()));
-  for (int a = 0; a < groups.count(); ++a) EXPECT_LT(groups.start[a], groups.start[a + 1]);
+  EXPECT_EQ(groups.start.back(), static_cast<int>(groups.rows.size()));
+  for (int a = 0; a < groups.count(); ++a) {
+    EXPECT_LT(groups.start[a], groups.start[a + 1]);
+    for (int i = groups.start[a]; i < groups.start[a + 1]; ++i) EXPECT_EQ(groups.of[groups.rows[i]], a);
+  }
 }
 
 TEST_P(Grouping, SpansNoTwoPieces) {
@@ -54,17 +64,17 @@ TEST_P(Grouping, SpansNoTwoPieces) {
   const std::vector<int> piece = mesh.copyPieces(&pieces);
   for (int a = 0; a < groups.count(); ++a)
     for (int i = groups.start[a]; i < groups.start[a + 1]; ++i)
-      EXPECT_EQ(piece[groups.copies[i]], piece[groups.copies[groups.start[a]]]);
+      EXPECT_EQ(piece[pattern.copies[groups.rows[i]]], piece[pattern.copies[groups.rows[groups.start[a]]]]);
 }
 
 TEST_P(Grouping, MakesGroupsOfAUsefulSize) {
-  EXPECT_GE(groups.count(), static_cast<int>(groups.copies.size()) / 128);
+  EXPECT_GE(groups.count(), static_cast<int>(groups.rows.size()) / 128);
   for (int a = 0; a < groups.count(); ++a) EXPECT_LE(groups.start[a + 1] - groups.start[a], 128);
 }
 
 TEST_P(Grouping, IsTheSameAgain) {
-  const Aggregates again = aggregate(mesh, held);
-  EXPECT_EQ(again.copies, groups.copies);
+  const Aggregates again = aggregate(mesh, order, pattern);
+  EXPECT_EQ(again.rows, groups.rows);
   EXPECT_EQ(again.start, groups.start);
 }
 

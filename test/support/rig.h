@@ -106,7 +106,7 @@ class Rig {
       motion.x.push_back(motion.x[mesh.copyParent(c)]);
       motion.v.push_back(motion.v[mesh.copyParent(c)]);
     }
-    step.topologyChanged(motion);
+    step.topologyChanged(motion, done.touched);
     return done;
   }
 

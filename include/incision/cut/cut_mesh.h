@@ -64,6 +64,7 @@ struct Insertion {
   int parts_split = 0, faces_severed = 0, copies_added = 0;
   /// Parts that the crack met without splitting them because its section's centroid lies outside the bounds.
   int out_of_bounds = 0;
+  std::vector<int> touched;  ///< nodes of the parts that were split or were given other copies, ascending
   bool changed() const { return parts_split > 0 || faces_severed > 0; }
 };
 
@@ -118,9 +119,9 @@ class CutMesh {
   void checkLimits(const Plan& plan) const;
   bool severed(int part, int face, int other, int other_face) const;
   bool coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const;
-  void apply(Plan&& plan);
+  std::vector<int> apply(Plan&& plan);
   CutPart& makeDetail(int part);
-  void reconnect(std::vector<int> nodes, const std::vector<std::pair<int, int>>& sides);
+  std::vector<int> reconnect(const std::vector<int>& nodes, const std::vector<std::pair<int, int>>& sides);
 
   TetMesh mesh_;
   MeshTopology topology_;

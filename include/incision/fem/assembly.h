@@ -14,25 +14,24 @@ struct Corner {
   int part, node;
 };
 
-/// Forces and masses of all parts, over the copies. `topologyChanged` must be called after every cut.
+/// Forces and masses of all parts, over the copies. `topologyChanged` must be called before use and after every cut.
 class Assembly {
  public:
   /// `mesh` must outlive this. With `warping` false every rotation is the identity.
   Assembly(const CutMesh& mesh, const Material& material, Mass mass, bool warping, int threads);
 
-  /// Takes over the mesh's parts and copies; new parts get their rotation from the positions `x` [m].
-  void topologyChanged(const std::vector<Vec3>& x);
+  /// Takes over the mesh's parts and copies, of which those round the nodes `touched` have changed; the first call
+  /// takes all. New parts get their rotation from the positions `x` [m].
+  void topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched = {});
 
   /// R_p of every part from the copies' positions.
   void rotate(const std::vector<Vec3>& x);
-  void resetRotations();
+  /// Forgets what it took over, after the mesh was replaced.
+  void reset();
 
   /// Σ_p w_p R_p K_e (R_pᵀ y − X) [N] at every copy. With y = x it is f_int; as it is affine in y with slope K, one
   /// call at y = x + τ v gives f_int + τ K v.
   void elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const;
-
-  /// Bound on the rounding of elasticForces at each copy, by the largest coordinate of y [N/m].
-  std::vector<double> forceRounding() const;
 
   /// M w at every copy.
   void multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const;
@@ -51,6 +50,11 @@ class Assembly {
 
   /// ρ Σ_p ∫ N_c dX [kg] of every copy: the lumped mass, and the row sums of the consistent one.
   const std::vector<double>& masses() const { return masses_; }
+  /// Bound on the rounding of elasticForces at each copy, by the largest coordinate of y [N/m].
+  const std::vector<double>& forceRounding() const { return force_rounding_; }
+  /// A third of the trace of each copy's block on the diagonal of M [kg] and of K [N/m]; turning changes neither.
+  const std::vector<double>& massDiagonal() const { return consistentMass() ? mass_diagonal_ : masses_; }
+  const std::vector<double>& stiffnessDiagonal() const { return stiffness_diagonal_; }
   double volume(int part) const;                     ///< V_p [m³]
   Gradients rotatedGradients(int part) const;        ///< g_I = R_p b_I [1/m]
   double massProduct(int part, int I, int J) const;  ///< ρ ∫_p N_I N_J dX [kg]
@@ -63,6 +67,8 @@ class Assembly {
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
   void gather(std::vector<Vec3>* result) const;
+  void findCorners(const std::vector<char>& touched);
+  void sumCorners(int copy);
 
   const CutMesh& mesh_;
   Material material_;
@@ -71,7 +77,7 @@ class Assembly {
   int threads_;
   std::vector<RestElement> rest_;
   std::vector<Mat3> rotations_;
-  std::vector<double> masses_;
+  std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
   std::vector<int> corner_start_;
   std::vector<Corner> corners_;
   mutable std::vector<Eigen::Matrix<double, 3, 4>> part_forces_;  // scratch of elasticForces and multiplyMass

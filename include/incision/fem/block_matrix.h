@@ -1,42 +1,24 @@
 #pragma once
 
+#include <cstring>
 #include <vector>
 
-#include "incision/fem/assembly.h"
+#include "incision/fem/block_pattern.h"
 
 namespace incision {
-
-/// Which copies are free, in the order in which the system numbers them, and which pairs of them a part couples.
-struct BlockPattern {
-  std::vector<int> copies;     ///< copy of each row
-  std::vector<int> row_of;     ///< row of each copy, −1 when held
-  std::vector<int> row_start;  ///< blocks row_start[r] … row_start[r + 1] − 1 lie in row r
-  std::vector<int> column;     ///< of each block, ascending in a row
-  std::vector<int> mirror;     ///< the block on the other side of the diagonal; itself on the diagonal
-  std::vector<int> diagonal;   ///< the block of each row on the diagonal
-
-  /// What adds to block k where column ≥ row (the others mirror it): terms[term_start[k]] … terms[term_start[k + 1] −
-  /// 1], each 16 part + 4 I + J with I the row's corner and J the column's.
-  std::vector<int> term_start, terms;
-
-  int rows() const { return static_cast<int>(copies.size()); }
-};
-
-/// Rows are the copies listed in `order`, which leaves out the held ones. Arrays keep their memory from call to call.
-void findPattern(const Assembly& assembly, const std::vector<int>& order, BlockPattern* pattern);
 
 /// The factors in A = mass M + stiffness K.
 struct SystemFactors {
   double mass, stiffness;
 };
 
-/// trace(A_cc)/3 for every copy. Turning parts does not change it, so it holds until the topology changes.
-std::vector<double> diagonalScale(const Assembly& assembly, const SystemFactors& factors);
+/// trace(A_cc)/3 of a copy. Turning parts does not change it, so it holds until the topology changes.
+double diagonalOf(const Assembly& assembly, const SystemFactors& factors, int copy);
 
 /// Entries of a block, column by column, each column padded to four for vector registers.
 inline constexpr int BLOCK_SIZE = 12;
 
-/// Gathers A = mass M + stiffness K block by block, so threads never write to the same place. T is float or double.
+/// Gathers A = mass M + stiffness K row by row, so threads never write to the same place. T is float or double.
 template <typename T>
 class BlockAssembler {
  public:
@@ -45,8 +27,39 @@ class BlockAssembler {
                 const std::vector<double>& scale, std::vector<T>* blocks);
 
  private:
-  std::vector<Eigen::Matrix<T, 3, 4>> gradients_;  // R_p b_I of every part
-  std::vector<double> weights_;                    // stiffness V_p of every part
+  std::vector<T> gradients_;  // √(stiffness V_p μ) R_p b_I of every part, twelve each
 };
+
+/// Three floats and padding, for vector registers.
+using Vec4f = Eigen::Vector4f;
+
+/// a × b of the first three; Eigen's own is not vectorised by every compiler.
+inline Vec4f cross(const Vec4f& a, const Vec4f& b) {
+  using Register = float __attribute__((vector_size(sizeof(Vec4f))));
+  Register u, v;
+  std::memcpy(&u, a.data(), sizeof u);
+  std::memcpy(&v, b.data(), sizeof v);
+  const Register turned = u * __builtin_shufflevector(v, v, 1, 2, 0, 3) - __builtin_shufflevector(u, u, 1, 2, 0, 3) * v;
+  const Register product = __builtin_shufflevector(turned, turned, 1, 2, 0, 3);
+  return Eigen::Map<const Vec4f>(reinterpret_cast<const float*>(&product));
+}
+
+/// Σ_c A_rc p_c of one row r; the fourth entries of `p` are padding.
+inline Vec4f multiplyRow(const BlockPattern& pattern, const std::vector<float>& blocks, int row,
+                         const std::vector<Vec4f>& p) {
+  using Column = Eigen::Map<const Vec4f, Eigen::Aligned16>;
+  const int *column = &pattern.column[pattern.row_start[row]],
+            *end = &pattern.column[pattern.row_start[row + 1] - 1] + 1;
+  const float* A = &blocks[static_cast<std::size_t>(BLOCK_SIZE) * pattern.row_start[row]];
+  // Three sums, so that one addition need not wait for the last.
+  Vec4f sum_0 = Vec4f::Zero(), sum_1 = Vec4f::Zero(), sum_2 = Vec4f::Zero();
+  for (; column < end; ++column, A += BLOCK_SIZE) {
+    const Vec4f& v = p[*column];
+    sum_0 += Column(A) * v[0];
+    sum_1 += Column(A + 4) * v[1];
+    sum_2 += Column(A + 8) * v[2];
+  }
+  return sum_0 + sum_1 + sum_2;
+}
 
 }  // namespace incision

@@ -12,37 +12,40 @@ namespace incision {
 /// √d Δv. In row i of an aggregate with centre c and radius ρ the modes are √d_i [1 | −[x_i − c]×/ρ].
 class CoarseSpace {
  public:
-  /// `scale` holds 1/√d of each row; rows of `pattern` are numbered aggregate by aggregate.
+  /// `scale` holds 1/√d of each row; pattern and aggregates must outlive this.
   void topologyChanged(const BlockPattern& pattern, const Aggregates& aggregates, const std::vector<double>& scale);
 
   /// Takes the modes at the positions `x` [m] and factorises the coarse matrix of the scaled float blocks.
   void matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads);
 
   /// Coarse right-hand side of one aggregate from the residual of its rows.
-  void restrictAggregate(int aggregate, const std::vector<Vec3>& r);
+  void restrictAggregate(int aggregate, const std::vector<Vec4f>& r);
   void solve();
-  /// What the coarse solution adds to row `row` of `aggregate`.
-  Vec3 prolong(int aggregate, int row) const;
+  /// What the coarse solution adds to a row: √d (shift + turn × (x_i − c)/ρ).
+  Vec4f prolong(int row) const {
+    const int a = aggregates_->of[row];
+    return arm_[row].w() * motions_[2 * a] + cross(motions_[2 * a + 1], arm_[row]);
+  }
 
  private:
-  using Modes = Eigen::Matrix<double, 3, 6>;
   using CoarseBlock = Eigen::Matrix<double, 6, 6>;
 
-  Modes modes(int row) const;
+  void findBlocks();
+  void findUnknowns();
+  void placeModes(int aggregate, const std::vector<Vec3>& x);
   void projectAggregate(int aggregate, const std::vector<float>& blocks);
   bool factorise(double regularisation);
 
   const BlockPattern* pattern_ = nullptr;
   const Aggregates* aggregates_ = nullptr;
-  std::vector<double> inverse_scale_;      // √d of each row
-  std::vector<int> aggregate_of_;          // of each row
-  std::vector<Vec3> arm_;                  // (x_i − c)/ρ of each row
-  std::vector<int> block_start_, column_;  // coarse blocks (I, J ≤ I) by row I
+  std::vector<Vec4f> arm_;                 // √d (x_i − c)/ρ and √d of each row
+  std::vector<int> block_start_, column_;  // coarse blocks (I, J ≤ I) by row I, columns ascending
   std::vector<CoarseBlock> coarse_blocks_;
   std::vector<int> source_;  // of each entry of the lower triangle, in coarse_blocks_
   std::vector<int> unknown_row_, unknown_column_;
   std::vector<double> unit_;  // 1/√diagonal of the coarse matrix
   std::vector<double> values_, right_, solution_;
+  std::vector<Vec4f> motions_;  // shift and turn of each aggregate; zero where the level is left out
   SparseCholesky cholesky_;
   bool usable_ = false;
 };

@@ -33,10 +33,10 @@ class ImplicitStep {
   ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, bool warping,
                const BoundaryConditions& conditions, const SolverSettings& settings);
 
-  /// After every cut, and before the first step.
-  void topologyChanged(const Motion& motion);
+  /// Before the first step, and after every cut with the nodes round which it changed parts or copies.
+  void topologyChanged(const Motion& motion, const std::vector<int>& touched = {});
 
-  /// Forgets what earlier steps left behind (rotations, first guess).
+  /// Forgets everything that came after the construction, as the mesh was replaced.
   void reset();
 
   /// Advances from `time` by `time_step` [s]. Returns false, with the motion as it was, when the system cannot be
@@ -54,7 +54,8 @@ class ImplicitStep {
 
  private:
   void prepareMatrix(double time_step, const Motion& motion);
-  bool prepare(LinearSolver* solver, bool new_pattern, double time_step, const Motion& motion);
+  bool prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
+  void remember();
   SolveStats solve(double time_step, const Motion& motion);
   void externalForces(double time);
   void residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r);
@@ -72,7 +73,9 @@ class ImplicitStep {
   double matrix_time_step_ = 0;
   std::unique_ptr<LinearSolver> fallback_;  // direct, from the first solve that did not converge on
   int fallback_steps_ = 0;                  // how many more steps it takes
-  std::vector<double> force_rounding_, rounding_;
+  std::vector<int> touched_;                // since solver_ last looked
+  std::vector<double> rounding_;
+  std::vector<std::vector<Vec3>> basis_;  // of the first guess: the last Δv and its backward differences
   std::vector<Vec3> dv_, external_, w_, y_, forces_, inertia_;
   SolveStats stats_;
   StepTimes times_;

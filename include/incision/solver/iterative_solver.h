@@ -2,6 +2,7 @@
 
 #include "incision/solver/coarse_space.h"
 #include "incision/solver/linear_solver.h"
+#include "incision/solver/piece_norms.h"
 
 namespace incision {
 
@@ -12,35 +13,35 @@ class IterativeSolver : public LinearSolver {
  public:
   explicit IterativeSolver(double tolerance) : tolerance_(tolerance) {}
 
-  void topologyChanged(const Assembly& assembly, const std::vector<bool>& held, const std::vector<int>& piece,
-                       const SystemFactors& factors) override;
+  void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   bool matrixChanged(const std::vector<Vec3>& x) override;
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, std::vector<Vec3>* dv) override;
+  SolveStats solve(const Residual& residual, const std::vector<double>& rounding,
+                   const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) override;
 
  private:
-  void takeResidual(const Residual& residual, const std::vector<Vec3>& dv);
+  void scaleResidual();
+  void guess(const std::vector<std::vector<Vec3>>& basis);
   int iterate(double target);
-  double applyPreconditioner();
-  template <typename Function>
-  double sumOverAggregates(const Function& f);
+  double precondition();
+  double update(double alpha);
 
   double tolerance_;
   const Assembly* assembly_ = nullptr;
   SystemFactors factors_{};
-  Aggregates aggregates_;
+  NodeOrder order_;  // of the mesh at rest, for good
   BlockPattern pattern_;
+  Aggregates aggregates_;
   std::vector<double> scale_;  // 1/√d of each row, d = trace(A_ii)/3
   PieceNorms norms_;
   BlockAssembler<float> assembler_;
   std::vector<float> blocks_;
-  std::vector<Mat3> inverse_diagonal_;
+  std::vector<Eigen::Matrix<float, 4, 3>> inverse_diagonal_;
   CoarseSpace coarse_;
 
-  // Vectors of the iteration, in the scaled unknowns, by row.
-  std::vector<Vec3> y_, r_, z_;
-  std::vector<Eigen::Vector4f> p_, Ap_;
-  std::vector<Vec3> nodal_residual_;        // by copy
-  std::vector<double> target_, piece_sum_;  // squared norms of each piece
+  std::vector<Vec3> residual_;  // by copy
+  // Vectors of the iteration, by row, in the scaled unknowns over ‖b‖; their fourth entries are padding.
+  std::vector<Vec4f> y_, r_, z_, p_, Ap_;
+  std::vector<std::vector<Vec4f>> basis_, A_basis_;
   std::vector<double> terms_;
 };
 

@@ -13,10 +13,10 @@ class PiecewiseSolver : public LinearSolver {
   /// Pieces of up to `direct_up_to` free copies are factorised.
   PiecewiseSolver(double tolerance, int direct_up_to) : direct_up_to_(direct_up_to), iterative_(tolerance) {}
 
-  void topologyChanged(const Assembly& assembly, const std::vector<bool>& held, const std::vector<int>& piece,
-                       const SystemFactors& factors) override;
+  void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   bool matrixChanged(const std::vector<Vec3>& x) override;
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, std::vector<Vec3>* dv) override;
+  SolveStats solve(const Residual& residual, const std::vector<double>& rounding,
+                   const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) override;
 
  private:
   int direct_up_to_;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+
+namespace incision {
+
+/// An order of a mesh's nodes in which neighbours are close, found by halving the body at rest.
+struct NodeOrder {
+  std::vector<int> rank;  ///< place of each node in the order
+  std::vector<int> leaf;  ///< number of the compact group of about `leaf_size` nodes each belongs to, ascending by rank
+  int leaves = 0;
+};
+
+NodeOrder orderNodes(const TetMesh& mesh, int leaf_size);
+
+/// Those copies that are not held, by the rank of their node; copies of one node ascend.
+std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held);
+
+}  // namespace incision
