@@ -7,8 +7,9 @@ set(BUILD_SHARED_LIBS ON)
 
 add_library(incision_flags INTERFACE)
 target_compile_features(incision_flags INTERFACE cxx_std_17)
+# No semantic interposition: calls within a shared library need not allow for another library replacing them.
 target_compile_options(incision_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow
+  -Wall -Wextra -Wpedantic -Wshadow -fno-semantic-interposition
   $<$<BOOL:${INCISION_WERROR}>:-Werror>)
 
 # These change the layout of Eigen's types or what is linked, so they hold for every target, not only for ours.

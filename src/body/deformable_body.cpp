@@ -56,7 +56,7 @@ std::string missedReason(const Insertion& done) {
 struct DeformableBody::State {
   State(const Scene& s, TetMesh rest, const std::string& urdf)
       : scene(s),
-        mesh(std::move(rest)),
+        mesh(std::move(rest), s.solver.threads),
         step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
     if (scene.tool) edge = bladeEdge(*scene.tool, urdf, scene.tool->description);
     for (std::size_t n = 0; n < mesh.mesh().nodes.size(); ++n)
@@ -249,7 +249,7 @@ std::optional<CutResult> DeformableBody::liftTool() {
 }
 
 void DeformableBody::reset() {
-  state_->mesh = CutMesh(state_->mesh.mesh());
+  state_->mesh = CutMesh(state_->mesh.mesh(), state_->mesh.threads());
   state_->step.reset();
   state_->start();
 }

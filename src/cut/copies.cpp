@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "incision/mesh/parallel.h"
+
 namespace incision {
 namespace {
 
@@ -11,12 +13,39 @@ int localNode(const std::array<int, 4>& element, int node) {
 
 }  // namespace
 
+/// Calls f(element, face, element across) for every inner face that contains the node, from one of its sides.
+template <typename Function>
+void ComponentFinder::forEachFace(int node, const Function& f) const {
+  const MeshTopology& topology = mesh_.topology();
+  for (int s = topology.star_start[node]; s < topology.star_start[node + 1]; ++s) {
+    const int e = topology.star[s], local = localNode(mesh_.mesh().elements[e], node);
+    for (int face = 0; face < 4; ++face)
+      if (const int across = topology.neighbours[e][face]; face != local && across > e) f(e, face, across);
+  }
+}
+
+ComponentFinder::ComponentFinder(const CutMesh& mesh, const std::vector<int>& nodes)
+    : mesh_(mesh), index_(mesh.parts().size()), face_index_(4 * mesh.mesh().elements.size(), -1) {
+  std::vector<std::pair<int, int>> faces;
+  for (int node : nodes)
+    forEachFace(node, [&](int e, int face, int across) {
+      int& index = face_index_[4 * e + face];
+      if (index >= 0 || (mesh_.isWhole(e) && mesh_.isWhole(across))) return;
+      index = static_cast<int>(faces.size());
+      faces.emplace_back(e, face);
+    });
+  joined_.resize(faces.size());
+  parallelFor(static_cast<int>(faces.size()), mesh.threads(), [&](int i) {
+    for (const FacePair& pair : mesh_.facePairs(faces[i].first, faces[i].second))
+      if (!pair.severed) joined_[i].emplace_back(pair.part, pair.other);
+  });
+}
+
 const NodeComponents& ComponentFinder::find(int node) {
   const MeshTopology& topology = mesh_.topology();
   found_.parts.clear();
   found_.local_node.clear();
-  const int first = topology.star_start[node], last = topology.star_start[node + 1];
-  for (int s = first; s < last; ++s) {
+  for (int s = topology.star_start[node]; s < topology.star_start[node + 1]; ++s) {
     const int e = topology.star[s], local = localNode(mesh_.mesh().elements[e], node);
     for (int p = e; p >= 0; p = mesh_.parts()[p].next) {
       found_.parts.push_back(p);
@@ -24,20 +53,13 @@ const NodeComponents& ComponentFinder::find(int node) {
     }
   }
   link_.resize(found_.parts.size());
-  index_.resize(mesh_.parts().size());
   for (std::size_t i = 0; i < link_.size(); ++i) link_[i] = index_[found_.parts[i]] = static_cast<int>(i);
 
-  for (int s = first; s < last; ++s) {
-    const int e = topology.star[s], local = localNode(mesh_.mesh().elements[e], node);
-    for (int f = 0; f < 4; ++f) {
-      const int across = topology.neighbours[e][f];
-      if (f == local || across <= e) continue;
-      if (mesh_.isWhole(e) && mesh_.isWhole(across))
-        join(e, across);
-      else
-        for (const auto& [p, q] : joined(e, f)) join(p, q);
-    }
-  }
+  forEachFace(node, [&](int e, int face, int across) {
+    const int index = face_index_[4 * e + face];
+    if (index < 0) return join(e, across);
+    for (const auto& [p, q] : joined_[index]) join(p, q);
+  });
 
   found_.component.assign(link_.size(), -1);
   found_.count = 0;
@@ -47,14 +69,6 @@ const NodeComponents& ComponentFinder::find(int node) {
     found_.component[i] = found_.component[r];
   }
   return found_;
-}
-
-const std::vector<std::pair<int, int>>& ComponentFinder::joined(int element, int face) {
-  const auto [entry, added] = faces_.try_emplace(4L * element + face);
-  if (added)
-    for (const FacePair& pair : mesh_.facePairs(element, face))
-      if (!pair.severed) entry->second.emplace_back(pair.part, pair.other);
-  return entry->second;
 }
 
 int ComponentFinder::root(int i) {

@@ -37,8 +37,8 @@ Owned owned(int part, const Polytope& polytope, const Facet& facet, const std::a
 
 }  // namespace
 
-CutMesh::CutMesh(TetMesh mesh)
-    : mesh_(std::move(mesh)), topology_(buildTopology(mesh_)), shortest_edge_(shortestEdges(mesh_)) {
+CutMesh::CutMesh(TetMesh mesh, int threads)
+    : mesh_(std::move(mesh)), threads_(threads), topology_(buildTopology(mesh_)), shortest_edge_(shortestEdges(mesh_)) {
   own_copy_.assign(mesh_.nodes.size(), -1);
   for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
     if (topology_.star_start[n] == topology_.star_start[n + 1]) continue;

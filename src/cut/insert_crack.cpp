@@ -1,16 +1,20 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <string>
 #include <unordered_map>
 
 #include "incision/cut/copies.h"
 #include "incision/cut/cut_mesh.h"
 #include "incision/mesh/input_error.h"
+#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {
+
+/// Parts whose splits a thread plans one after the other.
+constexpr int PARTS_TOGETHER = 64;
 
 Eigen::Vector4d atCopies(const std::vector<double>& phi, const Part& part) {
   return {phi[part.copies[0]], phi[part.copies[1]], phi[part.copies[2]], phi[part.copies[3]]};
@@ -27,10 +31,24 @@ Barycentric inElement(const FacePoint& point, int face) {
   return b;
 }
 
-void sortUnique(std::vector<int>* values) {
-  std::sort(values->begin(), values->end());
-  values->erase(std::unique(values->begin(), values->end()), values->end());
-}
+/// A set of nodes, listed in ascending order.
+class NodeSet {
+ public:
+  explicit NodeSet(const TetMesh& mesh) : mesh_(mesh), has_(mesh.nodes.size(), 0) {}
+  void addNodesOf(int element) {
+    for (int node : mesh_.elements[element]) has_[node] = 1;
+  }
+  std::vector<int> list() const {
+    std::vector<int> nodes;
+    for (std::size_t n = 0; n < has_.size(); ++n)
+      if (has_[n]) nodes.push_back(static_cast<int>(n));
+    return nodes;
+  }
+
+ private:
+  const TetMesh& mesh_;
+  std::vector<char> has_;
+};
 
 /// How positive a component is at a crack, by its parts that hold the node: the better of two has the higher highest
 /// side, or as high a one and the higher lowest.
@@ -50,6 +68,7 @@ struct Rank {
 struct CutMesh::SplitPart {
   int part;
   Split halves;
+  PolytopeMoments positive, negative;  // of the halves
 };
 
 struct CutMesh::SeveredPair {
@@ -61,12 +80,16 @@ struct CutMesh::Plan {
   int crack;
   std::vector<SplitPart> splits;
   std::vector<SeveredPair> severed;  // `part` on the positive side
+  int out_of_bounds = 0;
 };
 
 Insertion CutMesh::insert(const CrackField& crack) {
   Insertion done;
   const int number = crack.crack < 0 ? num_cracks_ : crack.crack;
-  Plan work = plan(crack, number, &done);
+  Plan work = plan(crack, number);
+  done.parts_split = static_cast<int>(work.splits.size());
+  done.faces_severed = static_cast<int>(work.severed.size());
+  done.out_of_bounds = work.out_of_bounds;
   if (!done.changed()) return done;
   checkLimits(work);
   const int before = numCopies();
@@ -77,37 +100,42 @@ Insertion CutMesh::insert(const CrackField& crack) {
   return done;
 }
 
-CutMesh::Plan CutMesh::plan(const CrackField& crack, int number, Insertion* done) const {
-  Plan plan{number, {}, {}};
+CutMesh::Plan CutMesh::plan(const CrackField& crack, int number) const {
+  const int count = static_cast<int>(crack.parts.empty() ? parts_.size() : crack.parts.size());
+  const auto partOf = [&](int i) { return crack.parts.empty() ? i : crack.parts[i]; };
   double scale = 0;
-  const auto visit = [&](auto&& action) {
-    if (crack.parts.empty())
-      for (std::size_t p = 0; p < parts_.size(); ++p) action(static_cast<int>(p));
-    else
-      for (int p : crack.parts) action(p);
-  };
-  visit([&](int p) { scale = std::max(scale, atCopies(crack.phi, parts_[p]).cwiseAbs().maxCoeff()); });
-  visit([&](int p) {
-    const Eigen::Vector4d phi = atCopies(crack.phi, parts_[p]);
-    if (phi.minCoeff() < 0 && phi.maxCoeff() > 0) planSplit(crack, ZERO_PHI * scale, p, &plan, done);
-    if ((phi.array() == 0).count() >= 3 && phi.minCoeff() >= 0) planSever(crack, p, &plan);
+  for (int i = 0; i < count; ++i) scale = std::max(scale, atCopies(crack.phi, parts_[partOf(i)]).cwiseAbs().maxCoeff());
+
+  // In chunks, put together in the order of the parts whatever thread has planned them.
+  std::vector<Plan> plans((count + PARTS_TOGETHER - 1) / PARTS_TOGETHER, Plan{number, {}, {}, 0});
+  parallelFor(static_cast<int>(plans.size()), threads_, [&](int chunk) {
+    for (int i = chunk * PARTS_TOGETHER; i < std::min(count, (chunk + 1) * PARTS_TOGETHER); ++i) {
+      const Eigen::Vector4d phi = atCopies(crack.phi, parts_[partOf(i)]);
+      if (phi.minCoeff() < 0 && phi.maxCoeff() > 0) planSplit(crack, ZERO_PHI * scale, partOf(i), &plans[chunk]);
+      if ((phi.array() == 0).count() >= 3 && phi.minCoeff() >= 0) planSever(crack, partOf(i), &plans[chunk]);
+    }
   });
-  done->parts_split = static_cast<int>(plan.splits.size());
-  done->faces_severed = static_cast<int>(plan.severed.size());
+  Plan plan{number, {}, {}, 0};
+  for (Plan& part : plans) {
+    std::move(part.splits.begin(), part.splits.end(), std::back_inserter(plan.splits));
+    plan.severed.insert(plan.severed.end(), part.severed.begin(), part.severed.end());
+    plan.out_of_bounds += part.out_of_bounds;
+  }
   return plan;
 }
 
-void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* plan, Insertion* done) const {
+void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* plan) const {
   const Eigen::Vector4d phi = atCopies(crack.phi, parts_[part]);
   const std::vector<signed char> signs = cornerSigns(polytope(part), phi, zero);
   if (!bothSigns(signs)) return;
   std::optional<Split> halves = split(polytope(part), phi, signs, plan->crack);
   if (!halves || coincidesWithCut(part, halves->section, phi)) return;
   if (crack.contains && !crack.contains(part, polygonCentroid(halves->section))) {
-    ++done->out_of_bounds;
+    ++plan->out_of_bounds;
     return;
   }
-  plan->splits.push_back({part, std::move(*halves)});
+  const PolytopeMoments positive = moments(halves->positive), negative = moments(halves->negative);
+  plan->splits.push_back({part, std::move(*halves), positive, negative});
 }
 
 /// Severs `part`, which lies on the positive side of a crack through one of its faces, from what lies across.
@@ -177,26 +205,24 @@ void CutMesh::checkLimits(const Plan& plan) const {
     throw InputError("it could make more than " + std::to_string(MAX_COPIES) + " copies");
 }
 
+/// The part's detail; a new one is empty.
 CutPart& CutMesh::makeDetail(int part) {
   if (parts_[part].detail < 0) {
     parts_[part].detail = static_cast<int>(details_.size());
-    const PolytopeMoments m = moments(wholeElement());
-    details_.push_back({wholeElement(), m.centroid, m.products, {}});
+    details_.emplace_back();
   }
   return details_[parts_[part].detail];
 }
 
 /// Returns the nodes of all parts that are not as they were, ascending.
 std::vector<int> CutMesh::apply(Plan&& plan) {
-  std::vector<int> nodes;
+  NodeSet touched(mesh_);
   std::vector<std::pair<int, int>> sides;  // parts at the new crack, and on which side of it they lie
   const auto touch = [&](int part, int side) {
     sides.emplace_back(part, side);
-    const auto& element = mesh_.elements[parts_[part].element];
-    nodes.insert(nodes.end(), element.begin(), element.end());
+    touched.addNodesOf(parts_[part].element);
   };
-  const auto reshape = [&](int part, Polytope&& polytope) {
-    const PolytopeMoments m = moments(polytope);
+  const auto reshape = [&](int part, Polytope&& polytope, const PolytopeMoments& m) {
     CutPart& cut = makeDetail(part);
     cut.polytope = std::move(polytope);
     cut.centroid = m.centroid;
@@ -213,30 +239,29 @@ std::vector<int> CutMesh::apply(Plan&& plan) {
     parts_[positive].next = negative;
     parts_[negative].detail = -1;
     makeDetail(negative).face_sides = std::move(inherited);
-    reshape(positive, std::move(split.halves.positive));
-    reshape(negative, std::move(split.halves.negative));
+    reshape(positive, std::move(split.halves.positive), split.positive);
+    reshape(negative, std::move(split.halves.negative), split.negative);
     touch(positive, 1);
     touch(negative, -1);
   }
   for (const SeveredPair& pair : plan.severed) {
+    for (int part : {pair.part, pair.other})
+      if (parts_[part].detail < 0) reshape(part, Polytope(wholeElement()), moments(wholeElement()));
     makeDetail(pair.part).face_sides.push_back({pair.face, plan.crack, 1});
     makeDetail(pair.other).face_sides.push_back({pair.other_face, plan.crack, -1});
     touch(pair.part, 1);
     touch(pair.other, -1);
   }
-  sortUnique(&nodes);
-  const std::vector<int> reconnected = reconnect(nodes, sides);
-  nodes.insert(nodes.end(), reconnected.begin(), reconnected.end());
-  sortUnique(&nodes);
-  return nodes;
+  for (int part : reconnect(touched.list(), sides)) touched.addNodesOf(parts_[part].element);
+  return touched.list();
 }
 
 /// Gives every component round the nodes a copy of its own. The own copy stays with the component that holds the node
-/// and is most positive; an extended copy with its first component. Returns the nodes of parts whose copies changed.
+/// and is most positive; an extended copy with its first component. Returns the parts whose copies changed.
 std::vector<int> CutMesh::reconnect(const std::vector<int>& nodes, const std::vector<std::pair<int, int>>& sides) {
-  std::vector<int> touched;
+  std::vector<int> changed;
   const std::unordered_map<int, int> side_of(sides.begin(), sides.end());
-  ComponentFinder finder(*this);
+  ComponentFinder finder(*this, nodes);
   std::vector<int> old_copy, new_copy, keeper;
   std::vector<Rank> rank;
   for (int node : nodes) {
@@ -271,11 +296,10 @@ std::vector<int> CutMesh::reconnect(const std::vector<int>& nodes, const std::ve
       int& copy = parts_[found.parts[i]].copies[found.local_node[i]];
       if (copy == new_copy[found.component[i]]) continue;
       copy = new_copy[found.component[i]];
-      const auto& element = mesh_.elements[parts_[found.parts[i]].element];
-      touched.insert(touched.end(), element.begin(), element.end());
+      changed.push_back(found.parts[i]);
     }
   }
-  return touched;
+  return changed;
 }
 
 }  // namespace incision

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "incision/fem/parallel.h"
 #include "incision/fem/rotation.h"
+#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incision/fem/parallel.h"
+#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "incision/fem/parallel.h"
+#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "incision/fem/parallel.h"
+#include "incision/mesh/parallel.h"
 #include "incision/solver/direct_solver.h"
 #include "incision/solver/first_guess.h"
 

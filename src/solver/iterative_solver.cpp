@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "incision/fem/parallel.h"
+#include "incision/mesh/parallel.h"
 #include "incision/solver/first_guess.h"
 
 namespace incision {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "support/cut_laws.h"
 #include "support/deformed_mesh.h"
 #include "support/scenes.h"
@@ -177,7 +179,9 @@ TEST(ComponentFinder, CountsTheCopiesOfEveryNode) {
   for (int k = 0; k < 5; ++k) block.cut(random.rectangle(BLOCK, 0.3, 1));
   std::vector<int> count(block.mesh.mesh().nodes.size(), 0);
   for (int c = 0; c < block.mesh.numCopies(); ++c) ++count[block.mesh.copyNode(c)];
-  ComponentFinder finder(block.mesh);
+  std::vector<int> nodes(count.size());
+  std::iota(nodes.begin(), nodes.end(), 0);
+  ComponentFinder finder(block.mesh, nodes);
   for (std::size_t n = 0; n < count.size(); ++n) EXPECT_EQ(finder.find(static_cast<int>(n)).count, count[n]);
 }
 

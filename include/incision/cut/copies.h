@@ -1,6 +1,5 @@
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "incision/cut/cut_mesh.h"
@@ -15,18 +14,18 @@ struct NodeComponents {
   int count = 0;
 };
 
-/// Finds them: parts are joined across the faces that contain the node, wherever they overlap by more than MIN_OVERLAP
-/// and no crack severs them. Remembers the faces it has looked at, so one finder serves many nodes of an unchanged
-/// mesh.
+/// Finds them round the given nodes of a mesh that does not change meanwhile: parts are joined across the faces that
+/// contain the node, wherever they overlap by more than MIN_OVERLAP and no crack severs them.
 class ComponentFinder {
  public:
-  explicit ComponentFinder(const CutMesh& mesh) : mesh_(mesh) {}
+  ComponentFinder(const CutMesh& mesh, const std::vector<int>& nodes);
 
-  /// The result is valid until the next call.
+  /// `node` is one of the given nodes. The result is valid until the next call.
   const NodeComponents& find(int node);
 
  private:
-  const std::vector<std::pair<int, int>>& joined(int element, int face);
+  template <typename Function>
+  void forEachFace(int node, const Function& f) const;
   int root(int i);
   void join(int part, int other);
 
@@ -34,7 +33,9 @@ class ComponentFinder {
   NodeComponents found_;
   std::vector<int> link_;   // union-find over found_.parts
   std::vector<int> index_;  // of each part of the mesh in found_.parts, where it is in them
-  std::unordered_map<long, std::vector<std::pair<int, int>>> faces_;
+  // Of faces between two elements not both of which are whole: the pairs of parts that hang together there.
+  std::vector<int> face_index_;  // by 4 element + face, or −1
+  std::vector<std::vector<std::pair<int, int>>> joined_;
 };
 
 }  // namespace incision

@@ -74,14 +74,15 @@ struct Insertion {
 /// new parts (the positive half of a split part keeps the part's number).
 class CutMesh {
  public:
-  /// Throws InputError when a face belongs to more than two elements.
-  explicit CutMesh(TetMesh mesh);
+  /// Works with up to `threads` threads. Throws InputError when a face belongs to more than two elements.
+  explicit CutMesh(TetMesh mesh, int threads = 1);
 
   const TetMesh& mesh() const { return mesh_; }
   const MeshTopology& topology() const { return topology_; }
   const std::vector<Part>& parts() const { return parts_; }
   const CutPart& detail(int part) const { return details_[parts_[part].detail]; }
   int numCracks() const { return num_cracks_; }
+  int threads() const { return threads_; }
   /// Whether no crack has met an element.
   bool isWhole(int element) const { return parts_[element].detail < 0; }
 
@@ -113,8 +114,8 @@ class CutMesh {
   struct SeveredPair;
   struct Plan;
 
-  Plan plan(const CrackField& crack, int number, Insertion* done) const;
-  void planSplit(const CrackField& crack, double zero, int part, Plan* plan, Insertion* done) const;
+  Plan plan(const CrackField& crack, int number) const;
+  void planSplit(const CrackField& crack, double zero, int part, Plan* plan) const;
   void planSever(const CrackField& crack, int part, Plan* plan) const;
   void checkLimits(const Plan& plan) const;
   bool severed(int part, int face, int other, int other_face) const;
@@ -124,6 +125,7 @@ class CutMesh {
   std::vector<int> reconnect(const std::vector<int>& nodes, const std::vector<std::pair<int, int>>& sides);
 
   TetMesh mesh_;
+  int threads_;
   MeshTopology topology_;
   std::vector<double> shortest_edge_;
   std::vector<Part> parts_;

@@ -1,4 +1,4 @@
-#include "incision/fem/parallel.h"
+#include "incision/mesh/parallel.h"
 
 #include <algorithm>
 #include <atomic>
