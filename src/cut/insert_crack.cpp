@@ -92,6 +92,8 @@ Insertion CutMesh::insert(const CrackField& crack) {
   done.out_of_bounds = work.out_of_bounds;
   if (!done.changed()) return done;
   checkLimits(work);
+  for (const SplitPart& split : work.splits) done.parts.push_back(split.part);
+  for (const SeveredPair& pair : work.severed) done.parts.push_back(pair.part);
   const int before = numCopies();
   done.touched = apply(std::move(work));
   done.crack = number;

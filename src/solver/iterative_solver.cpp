@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "incision/mesh/parallel.h"
-#include "incision/solver/first_guess.h"
 
 namespace incision {
 namespace {
@@ -55,6 +54,11 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   inverse_diagonal_.resize(rows);
   for (auto* v : {&y_, &r_, &z_, &p_, &Ap_}) v->assign(rows, Vec4f::Zero());
   for (auto* vectors : {&basis_, &A_basis_}) vectors->assign(BASIS_SIZE, y_);
+  products_.resize(aggregates_.count());
+  piece_of_.clear();
+  for (int a = 0; a < aggregates_.count(); ++a)
+    piece_of_.push_back(change.piece[pattern_.copies[aggregates_.rows[aggregates_.start[a]]]]);
+  pieces_ = change.piece.empty() ? 0 : 1 + *std::max_element(change.piece.begin(), change.piece.end());
   if (rows > 0) coarse_.topologyChanged(pattern_, aggregates_, scale_);
 }
 
@@ -104,36 +108,47 @@ void IterativeSolver::scaleResidual() {
   });
 }
 
-/// Takes the best sum of the basis for y_, and what it leaves of the right-hand side r_ for r_.
+/// Takes for y_ the best sum of the basis in each piece, since pieces move by themselves, and for r_ what it leaves of
+/// the right-hand side r_.
 void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
-  const int rows = pattern_.rows(), threads = assembly_->threads(), size = static_cast<int>(basis.size());
+  const int threads = assembly_->threads(), size = static_cast<int>(basis.size());
+  const auto forEachRow = [&](int a, const auto& f) {
+    for (int n = aggregates_.start[a]; n < aggregates_.start[a + 1]; ++n) f(aggregates_.rows[n]);
+  };
   for (int j = 0; j < size; ++j) {
     double largest = 0;
     for (int copy : pattern_.copies) largest = std::max(largest, basis[j][copy].cwiseAbs().maxCoeff());
     const double unit = largest > 0 ? 1 / largest : 0;
-    parallelFor(rows, threads, [&](int i) {
+    parallelFor(pattern_.rows(), threads, [&](int i) {
       basis_[j][i].head<3>() = (unit / scale_[i] * basis[j][pattern_.copies[i]]).cast<float>();
     });
   }
-  parallelFor(rows, threads, [&](int i) {
-    for (int j = 0; j < size; ++j) A_basis_[j][i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
+  parallelFor(aggregates_.count(), threads, [&](int a) {
+    BasisProducts& sum = products_[a];
+    sum = BasisProducts();
+    forEachRow(a, [&](int i) {
+      for (int j = 0; j < size; ++j) {
+        const Vec4f A_u = A_basis_[j][i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
+        sum.h[j] += static_cast<double>(basis_[j][i].dot(r_[i]));
+        for (int k = 0; k < size; ++k) sum.G(j, k) += static_cast<double>(A_u.dot(basis_[k][i]));
+      }
+    });
   });
-  BasisMatrix G = BasisMatrix::Zero();
-  BasisVector h = BasisVector::Zero();
-  const auto dot = [&](const std::vector<Vec4f>& a, const std::vector<Vec4f>& b) {
-    return sumOverRows(rows, threads, &terms_, [&](int i) { return static_cast<double>(a[i].dot(b[i])); });
-  };
-  for (int j = 0; j < size; ++j) {
-    h[j] = dot(basis_[j], r_);
-    for (int k = 0; k <= j; ++k) G(j, k) = G(k, j) = dot(basis_[j], A_basis_[k]);
+  combinations_.assign(pieces_, BasisProducts());
+  for (int a = 0; a < aggregates_.count(); ++a) {
+    combinations_[piece_of_[a]].G += products_[a].G;
+    combinations_[piece_of_[a]].h += products_[a].h;
   }
-  const Eigen::Matrix<float, BASIS_SIZE, 1> c = bestCombination(G, h).cast<float>();
-  parallelFor(rows, threads, [&](int i) {
-    y_[i].setZero();
-    for (int j = 0; j < size; ++j) {
-      y_[i] += c[j] * basis_[j][i];
-      r_[i] -= c[j] * A_basis_[j][i];
-    }
+  for (BasisProducts& sum : combinations_) sum.h = bestCombination(sum.G, sum.h);
+  parallelFor(aggregates_.count(), threads, [&](int a) {
+    const Eigen::Matrix<float, BASIS_SIZE, 1> c = combinations_[piece_of_[a]].h.cast<float>();
+    forEachRow(a, [&](int i) {
+      y_[i].setZero();
+      for (int j = 0; j < size; ++j) {
+        y_[i] += c[j] * basis_[j][i];
+        r_[i] -= c[j] * A_basis_[j][i];
+      }
+    });
   });
 }
 

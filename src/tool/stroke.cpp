@@ -89,18 +89,13 @@ Insertion Stroke::sweep(const Edge& from, const Edge& to, const std::vector<Vec3
   if (met_.empty()) return {};
   measure(to, x, *mesh);
   CrackField crack = field(*mesh);
-  std::vector<int> settled;
-  crack.contains = [&](int part, const Barycentric& point) {
-    const auto& copies = mesh->parts()[part].copies;
-    if (!covers(mesh->parts()[part], point, crack.phi)) return false;
-    settled.insert(settled.end(), copies.begin(), copies.end());
-    return true;
-  };
+  crack.contains = [&](int part, const Barycentric& point) { return covers(mesh->parts()[part], point, crack.phi); };
   const int before = mesh->numCopies();
   const Insertion done = mesh->insert(crack);
   if (!done.changed()) return done;
   crack_ = done.crack;
-  for (int c : settled) distances_.at(c).settled = true;
+  for (int part : done.parts)
+    for (int c : mesh->parts()[part].copies) distances_.at(c < before ? c : mesh->copyParent(c)).settled = true;
   for (int c = before; c < mesh->numCopies(); ++c)
     if (const auto parent = distances_.find(mesh->copyParent(c)); parent != distances_.end())
       distances_.emplace(c, Distance(parent->second));

@@ -64,6 +64,7 @@ struct Insertion {
   int parts_split = 0, faces_severed = 0, copies_added = 0;
   /// Parts that the crack met without splitting them because its section's centroid lies outside the bounds.
   int out_of_bounds = 0;
+  std::vector<int> parts;    ///< those on its positive side that were split or severed
   std::vector<int> touched;  ///< nodes of the parts that were split or were given other copies, ascending
   bool changed() const { return parts_split > 0 || faces_severed > 0; }
 };

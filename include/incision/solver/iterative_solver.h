@@ -1,6 +1,7 @@
 #pragma once
 
 #include "incision/solver/coarse_space.h"
+#include "incision/solver/first_guess.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/solver/piece_norms.h"
 
@@ -43,6 +44,14 @@ class IterativeSolver : public LinearSolver {
   std::vector<Vec4f> y_, r_, z_, p_, Ap_;
   std::vector<std::vector<Vec4f>> basis_, A_basis_;
   std::vector<double> terms_;
+
+  struct BasisProducts {
+    BasisMatrix G = BasisMatrix::Zero();
+    BasisVector h = BasisVector::Zero();  // then the combination
+  };
+  std::vector<BasisProducts> products_, combinations_;  // of each aggregate, and of each piece
+  std::vector<int> piece_of_;                           // of each aggregate
+  int pieces_ = 0;
 };
 
 }  // namespace incision
