@@ -32,7 +32,8 @@ function(incision_test_program name library)
   target_link_libraries(${name} PRIVATE ${library} nlohmann_json::nlohmann_json GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    $<$<BOOL:${INCISION_SANITIZE}>:INCISION_SANITIZE>)
+    $<$<BOOL:${INCISION_SANITIZE}>:INCISION_SANITIZE>
+    $<$<TARGET_EXISTS:incision_v3>:INCISION_V3>)
   add_dependencies(tests ${name})
 endfunction()
 

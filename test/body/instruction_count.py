@@ -33,7 +33,7 @@ def instructions(batch, valgrind, steps, settings):
     sets = [word for setting in ('solver.tolerance=1e-4', *settings) for word in ('--set', setting)]
     command = [valgrind, '--tool=callgrind', '--callgrind-out-file=/dev/null',
                batch, SCENE, '--steps', str(steps), '--threads', '1', *sets]
-    # Whatever the processor, the libraries take the code that runs on every x86-64.
+    # Whatever the processor, the loader and the libraries take the code that runs on every x86-64.
     plain = {'GLIBC_TUNABLES': 'glibc.cpu.hwcaps=-AVX2', 'OPENBLAS_CORETYPE': 'Prescott'}
     run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                          env={**os.environ, **plain})
