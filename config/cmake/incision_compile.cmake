@@ -13,6 +13,7 @@ target_compile_options(incision_flags INTERFACE
   $<$<BOOL:${INCISION_WERROR}>:-Werror>)
 
 # These change the layout of Eigen's types or what is linked, so they hold for every target, not only for ours.
+include(incision-extras)
 if(INCISION_NATIVE)
   add_compile_options(-march=native)
 endif()

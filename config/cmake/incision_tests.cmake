@@ -1,6 +1,7 @@
 # Tests, all run by ctest and labelled `quick` or `full`; the target `tests` builds them.
 # - test/<stage>/*_test.cpp: GoogleTest, one program a stage. Full are the tests whose suite or name starts with
-#   "Full" and all of *_full_test.cpp.
+#   "Full" and all of *_full_test.cpp. *_alloc_test.cpp replace malloc, so they are a program apart.
+# - test/body/instruction_count.py: instructions a step, where valgrind is installed.
 # - test/ros/*.test: rostest. Full are *_full.test.
 # - the sources: what includes what, their format, catkin_lint.
 # - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>_corpus/.
@@ -29,15 +30,18 @@ function(incision_test_program name library)
   incision_compile(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")
   target_link_libraries(${name} PRIVATE ${library} nlohmann_json::nlohmann_json GTest::gtest_main)
-  target_compile_definitions(${name} PRIVATE INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(${name} PRIVATE
+    INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    $<$<BOOL:${INCISION_SANITIZE}>:INCISION_SANITIZE>
+    $<$<TARGET_EXISTS:incision_v3>:INCISION_V3>)
   add_dependencies(tests ${name})
 endfunction()
 
 function(incision_stage_tests stage library)
   file(GLOB files CONFIGURE_DEPENDS test/${stage}/*_test.cpp)
-  set(full_files ${files})
-  list(FILTER full_files INCLUDE REGEX "_full_test\\.cpp$")
-  list(FILTER files EXCLUDE REGEX "_full_test\\.cpp$")
+  file(GLOB full_files CONFIGURE_DEPENDS test/${stage}/*_full_test.cpp)
+  file(GLOB alloc_files CONFIGURE_DEPENDS test/${stage}/*_alloc_test.cpp)
+  list(REMOVE_ITEM files ${full_files} ${alloc_files})
   if(files)
     incision_test_program(${stage}_tests ${library} ${files})
     incision_discover(${stage}_tests quick "-Full*:*.Full*")
@@ -46,6 +50,10 @@ function(incision_stage_tests stage library)
   if(full_files)
     incision_test_program(${stage}_full_tests ${library} ${full_files})
     incision_discover(${stage}_full_tests full "*")
+  endif()
+  if(alloc_files)
+    incision_test_program(${stage}_alloc_tests ${library} ${alloc_files})
+    incision_discover(${stage}_alloc_tests quick "*")
   endif()
 endfunction()
 
@@ -67,6 +75,15 @@ if(INCISION_ROS)
       LABELS ${label} RUN_SERIAL ON TIMEOUT 300
       ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
   endforeach()
+endif()
+
+# Instruction counts hold for the compiler and the flags they were counted with.
+find_program(VALGRIND valgrind)
+if(VALGRIND AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
+    AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT INCISION_NATIVE AND NOT INCISION_SANITIZE)
+  add_test(NAME quick.cost.instructions
+    COMMAND "${PROJECT_SOURCE_DIR}/test/body/instruction_count.py" $<TARGET_FILE:incision_batch> ${VALGRIND})
+  set_tests_properties(quick.cost.instructions PROPERTIES LABELS quick TIMEOUT 300)
 endif()
 
 # Checks of the sources, of which a program that is not installed drops out.

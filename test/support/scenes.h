@@ -19,8 +19,23 @@ inline Scene softBar() {
 
 inline Hold holdLeftEnd() { return {{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}; }
 
+/// The bar 1 × 0.25 × 0.25 m whose cost is watched: held at x = 0 it swings under gravity, and 1e-4 ends the iteration.
+inline Scene swingingBar(const std::array<int, 3>& cells, double young_modulus) {
+  Scene scene;
+  scene.body.grid = GridSettings{cells, Vec3(1, 0.25, 0.25), Vec3::Zero()};
+  scene.body.material.young_modulus = young_modulus;
+  scene.body.material.poisson_ratio = 0.45;
+  scene.boundary = {holdLeftEnd()};
+  scene.solver.method = Method::ITERATIVE;
+  scene.solver.tolerance = 1e-4;
+  return scene;
+}
+
 using incision::plane;
 using incision::rectangle;
+
+/// A cut through the middle of the swinging bar, which goes through few nodes.
+inline PlaneCut slantedCut() { return plane(Vec3(0.51, 0.12, 0.12), Vec3(1, 0.1, 0.05)); }
 
 /// Three cuts of the soft bar that cross each other, the last one bounded: the first at a given time [s], the others at
 /// 0.05 and 0.1 s.

@@ -1,0 +1,56 @@
+#!/usr/bin/python3
+"""Counts the instructions of a step with valgrind and fails where a scene needs more than its bound.
+
+usage: instruction_count.py INCISION_BATCH VALGRIND
+
+A count is that of a long run less that of a short one, so loading the scene drops out. It needs no quiet machine, but
+it holds for one compiler and one set of flags: the Release build with GCC for plain x86-64.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+SCENE = pathlib.Path(__file__).resolve().parents[2] / 'config/scenes/bar.yaml'
+SHORT, LONG = 20, 60  # steps
+
+# Before the 31st step, so in the long run alone.
+CUT = ('cuts=[{time: 0.3, point: [0.51, 0.12, 0.12], normal: [1, 0.1, 0.05]}]',)
+ITERATIVE = ('solver.method=iterative',)
+
+# Name, settings, and bound in millions a step, some 10 % above what was counted when it was last set.
+CASES = (
+    ('uncut', ITERATIVE, 10.4),  # counted: 9.41
+    ('cut once', ITERATIVE + CUT, 14.4),  # counted: 13.05
+    ('without warping', ('body.warping=false',), 6.3),  # counted: 5.73
+)
+
+
+def instructions(batch, valgrind, steps, settings):
+    """Of a whole run on one thread."""
+    sets = [word for setting in ('solver.tolerance=1e-4', *settings) for word in ('--set', setting)]
+    command = [valgrind, '--tool=callgrind', '--callgrind-out-file=/dev/null',
+               batch, SCENE, '--steps', str(steps), '--threads', '1', *sets]
+    # Whatever the processor, the loader and the libraries take the code that runs on every x86-64.
+    plain = {'GLIBC_TUNABLES': 'glibc.cpu.hwcaps=-AVX2', 'OPENBLAS_CORETYPE': 'Prescott'}
+    run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                         env={**os.environ, **plain})
+    if run.returncode:
+        sys.exit(run.stderr)
+    return int(re.search(r'Collected : (\d+)', run.stderr).group(1))
+
+
+def main(batch, valgrind):
+    failed = False
+    for name, settings, bound in CASES:
+        long, short = (instructions(batch, valgrind, steps, settings) for steps in (LONG, SHORT))
+        count = (long - short) / (LONG - SHORT) / 1e6
+        failed = failed or count > bound
+        print(f'{name}: {count:.2f} million instructions a step, at most {bound} allowed', flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(*sys.argv[1:]))

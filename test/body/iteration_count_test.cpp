@@ -1,0 +1,80 @@
+// Guards the speed of the iteration without a clock: iterations of 60 steps on two threads. Each bound stands some 12 %
+// above what was counted when it was last set, the larger count of the core's two builds; whoever makes the iteration
+// better brings it down.
+#include <gtest/gtest.h>
+
+#include "support/sanitized.h"
+#include "support/scenes.h"
+
+namespace incision::test {
+namespace {
+
+constexpr int STEPS = 60;
+
+// A factorisation leaves a residual of rounding alone, an iteration a share of its tolerance.
+constexpr double FACTORISED = 1e-8;
+
+// When a cut is made, if one is [s]: before the 31st step of 0.01 s.
+constexpr double MIDWAY = 0.3;
+
+Scene cutMidway(Scene scene, const PlaneCut& cut) {
+  scene.cuts = {{MIDWAY, cut}};
+  return scene;
+}
+
+int totalIterations(const Scene& scene) {
+  DeformableBody body(scene, loadMesh(scene), loadDescription(scene));
+  int total = 0;
+  for (int k = 0; k < STEPS; ++k) {
+    const StepResult step = body.step();
+    for (const CutResult& cut : step.cuts) EXPECT_EQ(cut.status, CutStatus::APPLIED);
+    EXPECT_GT(step.residual, FACTORISED) << "at step " << k;
+    total += step.iterations;
+  }
+  return total;
+}
+
+const std::array<int, 3> SMALL = {16, 4, 4}, LARGE = {32, 8, 8};
+
+Scene organ() {
+  return loadScene(resolvePath("package://incision/config/scenes/demo.yaml", ""),
+                   {"solver.method=iterative", "solver.tolerance=1e-4"});
+}
+
+const PlaneCut ORGAN_CUT = plane(Vec3(0.1, 0, 0), Vec3(1, 0.1, 0.05));
+
+class IterationCount : public ::testing::Test {
+ protected:
+  // The same number on every build, but for last digits: the sanitizers' slow one need not find it again.
+  void SetUp() override {
+    if (SANITIZED) GTEST_SKIP() << "takes too long under the sanitizers";
+  }
+};
+
+TEST_F(IterationCount, OfASoftBarKeepsItsBounds) {
+  EXPECT_LE(totalIterations(swingingBar(SMALL, 1e6)), 1430);  // counted: 1278
+  EXPECT_LE(totalIterations(swingingBar(LARGE, 1e6)), 1820);  // counted: 1622
+}
+
+TEST_F(IterationCount, OfAStiffBarKeepsItsBounds) {
+  EXPECT_LE(totalIterations(swingingBar(SMALL, 1e8)), 1900);  // counted: 1700
+  EXPECT_LE(totalIterations(swingingBar(LARGE, 1e8)), 3050);  // counted: 2721
+}
+
+TEST_F(IterationCount, OfASoftBarThatIsCutKeepsItsBounds) {
+  EXPECT_LE(totalIterations(cutMidway(swingingBar(SMALL, 1e6), slantedCut())), 1990);  // counted: 1776
+  EXPECT_LE(totalIterations(cutMidway(swingingBar(LARGE, 1e6), slantedCut())), 2430);  // counted: 2171
+}
+
+TEST_F(IterationCount, OfAStiffBarThatIsCutKeepsItsBounds) {
+  EXPECT_LE(totalIterations(cutMidway(swingingBar(SMALL, 1e8), slantedCut())), 3170);  // counted: 2830
+  EXPECT_LE(totalIterations(cutMidway(swingingBar(LARGE, 1e8), slantedCut())), 4620);  // counted: 4130
+}
+
+TEST_F(IterationCount, OfTheOrganKeepsItsBounds) {
+  EXPECT_LE(totalIterations(organ()), 1760);                        // counted: 1573
+  EXPECT_LE(totalIterations(cutMidway(organ(), ORGAN_CUT)), 2050);  // counted: 1827
+}
+
+}  // namespace
+}  // namespace incision::test

@@ -1,0 +1,66 @@
+// Guards against hitches that a quiet machine does not show: what a step takes from the heap, on two threads.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <thread>
+
+#include "support/allocation_count.h"
+#include "support/scenes.h"
+
+namespace incision::test {
+namespace {
+
+// The first steps start the threads and let every vector grow to its size; then the step counts.
+constexpr int FIRST_STEPS = 5, WATCHED_STEPS = 20;
+
+const std::array<int, 3> SMALL = {16, 4, 4}, LARGE = {32, 8, 8};
+
+Scene barWith(Method method, const std::array<int, 3>& cells) {
+  Scene scene = swingingBar(cells, 1e6);
+  scene.solver.method = method;
+  return scene;
+}
+
+std::int64_t allocationsOfUncutSteps(const Scene& scene) {
+  DeformableBody body(scene, loadMesh(scene));
+  run(&body, FIRST_STEPS);
+  return allocationsOf([&] { run(&body, WATCHED_STEPS); });
+}
+
+std::int64_t allocationsOfCut(const Scene& scene) {
+  DeformableBody body(scene, loadMesh(scene));
+  run(&body, FIRST_STEPS);
+  return allocationsOf([&] {
+    EXPECT_EQ(body.cut(slantedCut()).status, CutStatus::APPLIED);
+    body.step();
+  });
+}
+
+class StepAllocations : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (SANITIZED) GTEST_SKIP() << "nothing is counted under the sanitizers";
+  }
+};
+
+TEST_F(StepAllocations, AreCountedOnEveryThread) {
+  std::vector<std::unique_ptr<int>> made(10);
+  const auto make = [&] {
+    for (auto& value : made) value = std::make_unique<int>(1);
+  };
+  EXPECT_EQ(allocationsOf(make), 10);
+  EXPECT_GE(allocationsOf([&] { std::thread(make).join(); }), 10);
+}
+
+TEST_F(StepAllocations, AreNoneWithoutACut) {
+  for (const Method method : {Method::AUTO, Method::ITERATIVE})
+    for (const auto& cells : {SMALL, LARGE}) EXPECT_EQ(allocationsOfUncutSteps(barWith(method, cells)), 0);
+}
+
+TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {
+  EXPECT_LE(allocationsOfCut(barWith(Method::ITERATIVE, SMALL)), 18800);  // counted: 16819
+  EXPECT_LE(allocationsOfCut(barWith(Method::ITERATIVE, LARGE)), 68800);  // counted: 61474
+}
+
+}  // namespace
+}  // namespace incision::test
