@@ -29,7 +29,7 @@ function(incision_test_program name library)
   add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
   incision_compile(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")
-  target_link_libraries(${name} PRIVATE ${library} nlohmann_json::nlohmann_json GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${library} CHOLMOD::CHOLMOD nlohmann_json::nlohmann_json GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     $<$<BOOL:${INCISION_SANITIZE}>:INCISION_SANITIZE>

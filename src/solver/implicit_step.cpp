@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "incision/mesh/parallel.h"
 #include "incision/solver/direct_solver.h"
@@ -126,7 +127,10 @@ SolveStats ImplicitStep::solve(double time_step, const Motion& motion) {
   for (const Vec3& x : motion.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
   rounding_.resize(assembly_.forceRounding().size());
   for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step * reach * assembly_.forceRounding()[c];
-  const Residual r = [&](const std::vector<Vec3>& dv, std::vector<Vec3>* at) { residual(time_step, motion, dv, at); };
+  const auto evaluate = [&](const std::vector<Vec3>& dv, std::vector<Vec3>* at) {
+    residual(time_step, motion, dv, at);
+  };
+  const Residual r = std::cref(evaluate);  // a reference fits into it: no allocation
 
   if (fallback_steps_ > 0) {
     if (--fallback_steps_ == 0) topology_known_ = false;

@@ -23,6 +23,9 @@ constexpr double MIN_GAIN = 1e-5;
 /// A run aims below the tolerance by this much, since the float matrix is not quite A.
 constexpr double MARGIN = 0.7;
 
+/// How much of the tolerance the rounding of a float product may take up.
+constexpr double ROUNDING_SHARE = 0.1;
+
 /// Rows that a sum takes together, so that it does not depend on the count of threads.
 constexpr int CHUNK = 64;
 
@@ -83,6 +86,10 @@ SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<do
   residual(*dv, &residual_);
   norms_.setRightHandSide(residual_, rounding, tolerance_);
   if (norms_.total() == 0) return stats;
+  if (floatIsTooCoarse(basis.front())) {
+    for (int copy : pattern_.copies) (*dv)[copy] = basis.front()[copy];
+    residual(*dv, &residual_);
+  }
   scaleResidual();
   guess(basis);
   double before = std::numeric_limits<double>::infinity();
@@ -100,6 +107,15 @@ SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<do
   }
   stats.converged = stats.residual <= tolerance_;
   return stats;
+}
+
+/// Whether the float matrix would leave more rounding in A Δv than the tolerance allows: in a stiff body nearly all of
+/// it cancels. The first residual is then reckoned at `dv` itself, and the guess only has to mend it.
+bool IterativeSolver::floatIsTooCoarse(const std::vector<Vec3>& dv) {
+  const double square = sumOverRows(pattern_.rows(), assembly_->threads(), &terms_, [&](int i) {
+    return dv[pattern_.copies[i]].squaredNorm() / (scale_[i] * scale_[i]);
+  });
+  return std::numeric_limits<float>::epsilon() * std::sqrt(square) > ROUNDING_SHARE * tolerance_ * norms_.total();
 }
 
 void IterativeSolver::scaleResidual() {

@@ -7,19 +7,25 @@
 #include <cassert>
 #include <new>
 
+#include "incision/solver/block_pool.h"
+
 namespace incision {
 namespace {
 
 /// From this many blocks on METIS orders better than approximate minimum degree.
 constexpr int METIS_FROM = 3000;
 
-/// CHOLMOD opens parallel regions of its own; within this scope they get one thread.
-class OneThread {
+/// CHOLMOD opens parallel regions of its own; within this scope they get one thread, and its memory comes from the
+/// pool.
+class CholmodScope {
  public:
-  OneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
-  ~OneThread() { omp_set_max_active_levels(levels_); }
+  explicit CholmodScope(BlockPool* pool) : pool_(pool), levels_(omp_get_max_active_levels()) {
+    omp_set_max_active_levels(0);
+  }
+  ~CholmodScope() { omp_set_max_active_levels(levels_); }
 
  private:
+  BlockPool::Scope pool_;
   int levels_;
 };
 
@@ -54,18 +60,21 @@ cholmod_sparse viewOf(const LowerTriangle& pattern, const double* values) {
 }  // namespace
 
 struct SparseCholesky::Cholmod {
+  BlockPool pool;
   cholmod_common common;
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *scratch_y = nullptr, *scratch_e = nullptr;
   LowerTriangle pattern;
 
   Cholmod() {
+    const CholmodScope scope(&pool);
     cholmod_start(&common);
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
     common.final_ll = 1;  // never L D Lᵀ, which accepts indefinite matrices
   }
   ~Cholmod() {
+    const CholmodScope scope(&pool);
     cholmod_free_factor(&factor, &common);
     for (cholmod_dense** dense : {&solution, &scratch_y, &scratch_e}) cholmod_free_dense(dense, &common);
     cholmod_finish(&common);
@@ -91,10 +100,12 @@ std::vector<int> SparseCholesky::Cholmod::blockOrder(int block) {
 }
 
 void SparseCholesky::analyse(const LowerTriangle& pattern, int block) {
-  const OneThread scope;
   Cholmod& c = *cholmod_;
+  const CholmodScope scope(&c.pool);
   c.pattern = pattern;
   cholmod_free_factor(&c.factor, &c.common);
+  for (cholmod_dense** dense : {&c.solution, &c.scratch_y, &c.scratch_e}) cholmod_free_dense(dense, &c.common);
+  c.pool.release();
   std::vector<int> order = c.blockOrder(block);
   c.common.nmethods = 1;
   c.common.method[0].ordering = CHOLMOD_GIVEN;
@@ -105,8 +116,8 @@ void SparseCholesky::analyse(const LowerTriangle& pattern, int block) {
 }
 
 bool SparseCholesky::factorise(const std::vector<double>& values) {
-  const OneThread scope;
   Cholmod& c = *cholmod_;
+  const CholmodScope scope(&c.pool);
   assert(values.size() == c.pattern.row.size());
   cholmod_sparse view = viewOf(c.pattern, values.data());
   cholmod_factorize(&view, c.factor, &c.common);
@@ -115,8 +126,8 @@ bool SparseCholesky::factorise(const std::vector<double>& values) {
 }
 
 void SparseCholesky::solve(const std::vector<double>& b, std::vector<double>* x) {
-  const OneThread scope;
   Cholmod& c = *cholmod_;
+  const CholmodScope scope(&c.pool);
   cholmod_dense right{};
   right.nrow = right.nzmax = right.d = b.size();
   right.ncol = 1;

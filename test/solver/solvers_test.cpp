@@ -92,8 +92,8 @@ TEST_P(BothMethods, FindTheSameVelocitiesInEveryPiece) {
     ASSERT_TRUE(direct.advance());
     ASSERT_TRUE(iterative.advance());
     EXPECT_LE(iterative.step.stats().residual, 1e-8);
-    // Where rounding keeps the iteration from its tolerance it may end in a direct solve.
-    if (GetParam().material.young_modulus < 1e10) {
+    // Where rounding keeps the iteration from its tolerance it may end in a direct solve; later guesses may do alone.
+    if (n == 0 && GetParam().material.young_modulus < 1e10) {
       EXPECT_GT(iterative.step.stats().iterations, 0);
     }
     EXPECT_EQ(direct.step.stats().iterations, 0);

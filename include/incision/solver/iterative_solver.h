@@ -20,6 +20,7 @@ class IterativeSolver : public LinearSolver {
                    const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) override;
 
  private:
+  bool floatIsTooCoarse(const std::vector<Vec3>& dv);
   void scaleResidual();
   void guess(const std::vector<std::vector<Vec3>>& basis);
   int iterate(double target);
