@@ -31,7 +31,7 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass m
       conditions_(conditions),
       settings_(settings),
       assembly_(mesh, material, mass, warping, settings.threads),
-      solver_(makeLinearSolver(settings)),
+      solver_(makeLinearSolver(settings, warping)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
 
 void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>& touched) {
@@ -51,7 +51,7 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
 
 void ImplicitStep::reset() {
   assembly_.reset();
-  solver_ = makeLinearSolver(settings_);
+  solver_ = makeLinearSolver(settings_, assembly_.warping());
   fallback_.reset();
   touched_.clear();
   basis_.clear();

@@ -45,6 +45,6 @@ class LinearSolver {
                            const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) = 0;
 };
 
-std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings);
+std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, bool warping);
 
 }  // namespace incision
