@@ -1,0 +1,283 @@
+// The pieces of a step, one by one, on bent bars of 12,288 and 98,304 tetrahedra and two threads.
+//
+// Each reports its time, ns an element, GB/s and the share of the memory's bandwidth, which STREAM's triad measures at
+// the start of the same run. The bytes are those that must move whatever the layout: every input read once, every
+// result written once. So GB/s is a lower bound of what a kernel moved, and a small body that stays in the caches may
+// pass the triad.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+#include "benchmark/triad.h"
+#include "incision/fem/parallel.h"
+#include "incision/fem/rotation.h"
+#include "incision/mesh/grid_mesh.h"
+#include "incision/solver/coarse_space.h"
+#include "incision/solver/direct_solver.h"
+#include "incision/solver/implicit_step.h"
+#include "incision/solver/iterative_solver.h"
+#include "incision/surface/surface.h"
+
+namespace {
+
+using namespace incision;
+using ::benchmark::State;
+
+constexpr int THREADS = 2;
+constexpr double TIME_STEP = 0.01;
+constexpr std::array<std::array<int, 3>, 2> GRIDS = {{{32, 8, 8}, {64, 16, 16}}};
+
+/// What must move of each element: its copies; the gradients and the volume at rest; its rotation. And of each vector
+/// at a copy, and of each block of the float matrix with its column.
+constexpr double COPIES = 4 * sizeof(int), REST = 13 * sizeof(double), ROTATION = 9 * sizeof(double),
+                 VECTOR = 3 * sizeof(double), BLOCK = 9 * sizeof(float) + sizeof(int);
+
+double triad = 0;  // [B/s]
+
+/// The bar bent into an arc about y; `angle` [rad] is how far its end turns.
+std::vector<Vec3> bent(const TetMesh& mesh, double angle) {
+  std::vector<Vec3> x;
+  for (const Vec3& X : mesh.nodes) {
+    const double turn = angle * X.x(), radius = 1 / angle + X.z();
+    x.emplace_back(radius * std::sin(turn), X.y(), radius * std::cos(turn) - 1 / angle);
+  }
+  return x;
+}
+
+/// The bar of one size, held at x = 0, with what the kernels need of it.
+struct Bar {
+  explicit Bar(const State& state)
+      : mesh(gridMesh({GRIDS[state.range(0)], Vec3(1, 0.25, 0.25), Vec3::Zero()})),
+        x(bent(mesh.mesh(), 0.5)),
+        conditions{Vec3(0, 0, -9.81), {{{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}}, {}},
+        assembly(mesh, Material(), Mass::LUMPED, true, THREADS),
+        piece(x.size(), 0) {
+    for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.holds[0].box.contains(X));
+    assembly.topologyChanged(x);
+    assembly.rotate(x);
+  }
+
+  double elements() const { return static_cast<double>(mesh.mesh().elements.size()); }
+  double copies() const { return static_cast<double>(x.size()); }
+
+  CutMesh mesh;
+  std::vector<Vec3> x;
+  BoundaryConditions conditions;
+  Assembly assembly;
+  std::vector<bool> held;
+  std::vector<int> piece;
+  SystemFactors factors{1, TIME_STEP* TIME_STEP};
+};
+
+/// The float matrix of a bar as the iteration has it.
+struct Matrix {
+  explicit Matrix(const Bar& bar) : aggregates(aggregate(bar.mesh, bar.held)) {
+    findPattern(bar.assembly, aggregates.copies, &pattern);
+    const std::vector<double> diagonal = diagonalScale(bar.assembly, bar.factors);
+    for (int copy : aggregates.copies) scale.push_back(1 / std::sqrt(diagonal[copy]));
+    assembler.assemble(bar.assembly, pattern, bar.factors, scale, &blocks);
+  }
+
+  double bytes() const { return BLOCK * static_cast<double>(pattern.column.size()); }
+
+  Aggregates aggregates;
+  BlockPattern pattern;
+  std::vector<double> scale;
+  BlockAssembler<float> assembler;
+  std::vector<float> blocks;
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// Time [s] of one call.
+template <typename Function>
+double secondsOf(const Function& f) {
+  const auto start = Clock::now();
+  f();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Calls `kernel`, which returns the time [s] it took, until it is known well. `bytes` are those of one call.
+template <typename Kernel>
+void measure(State& state, const Bar& bar, double bytes, const Kernel& kernel) {
+  double seconds = 0;
+  for (auto _ : state) {
+    const double call = kernel();
+    state.SetIterationTime(call);
+    seconds += call;
+  }
+  seconds /= static_cast<double>(state.iterations());
+  state.counters["ns/element"] = 1e9 * seconds / bar.elements();
+  state.counters["GB/s"] = 1e-9 * bytes / seconds;
+  state.counters["of triad"] = bytes / seconds / triad;
+}
+
+/// F and the last rotation in, the new rotation out.
+void rotations(State& state) {
+  const Bar bar(state);
+  const auto gradients = [&](double angle) {
+    std::vector<Mat3> F;
+    const std::vector<Vec3> y = bent(bar.mesh.mesh(), angle);
+    const std::vector<RestElement> rest = restElements(bar.mesh.mesh());
+    for (std::size_t e = 0; e < rest.size(); ++e) {
+      const auto& n = bar.mesh.mesh().elements[e];
+      F.push_back(gradient(y[n[0]], y[n[1]], y[n[2]], y[n[3]], rest[e].b));
+    }
+    return F;
+  };
+  const std::vector<Mat3> F = gradients(0.5), last_F = gradients(0.48);
+  std::vector<Mat3> last(F.size(), Mat3::Identity()), R(F.size());
+  const int groups = static_cast<int>(F.size()) / LANES;
+  for (int g = 0; g < groups; ++g) polarRotations(&last_F[LANES * g], &last[LANES * g]);
+  measure(state, bar, 3 * ROTATION * bar.elements(), [&] {
+    return secondsOf([&] {
+      parallelFor(groups, THREADS, [&](int g) {
+        std::copy_n(&last[LANES * g], LANES, &R[LANES * g]);
+        polarRotations(&F[LANES * g], &R[LANES * g]);
+      });
+    });
+  });
+}
+
+/// Elements and positions in, forces out.
+void elasticForces(State& state) {
+  const Bar bar(state);
+  std::vector<Vec3> forces;
+  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + 2 * VECTOR * bar.copies();
+  measure(state, bar, bytes, [&] { return secondsOf([&] { bar.assembly.elasticForces(bar.x, &forces); }); });
+}
+
+/// Elements in, blocks out.
+void blockAssembly(State& state) {
+  const Bar bar(state);
+  Matrix matrix(bar);
+  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + matrix.bytes();
+  measure(state, bar, bytes, [&] {
+    return secondsOf(
+        [&] { matrix.assembler.assemble(bar.assembly, matrix.pattern, bar.factors, matrix.scale, &matrix.blocks); });
+  });
+}
+
+/// Blocks and positions in; the factor is counted as nothing, since its size is the solver's own.
+void coarseMatrix(State& state) {
+  const Bar bar(state);
+  const Matrix matrix(bar);
+  CoarseSpace coarse;
+  coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
+  measure(state, bar, matrix.bytes() + VECTOR * bar.copies(),
+          [&] { return secondsOf([&] { coarse.matrixChanged(bar.x, matrix.blocks, THREADS); }); });
+}
+
+/// Residual in, correction out.
+void coarseSolve(State& state) {
+  const Bar bar(state);
+  const Matrix matrix(bar);
+  CoarseSpace coarse;
+  coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
+  coarse.matrixChanged(bar.x, matrix.blocks, THREADS);
+  const std::vector<Vec3> r(matrix.pattern.rows(), Vec3(1, -2, 3));
+  std::vector<Vec3> z(r.size());
+  measure(state, bar, 2 * VECTOR * static_cast<double>(r.size()), [&] {
+    return secondsOf([&] {
+      parallelFor(matrix.aggregates.count(), THREADS, [&](int a) { coarse.restrictAggregate(a, r); });
+      coarse.solve();
+      parallelFor(matrix.aggregates.count(), THREADS, [&](int a) {
+        for (int i = matrix.aggregates.start[a]; i < matrix.aggregates.start[a + 1]; ++i) z[i] = coarse.prolong(a, i);
+      });
+    });
+  });
+}
+
+/// One iteration of the solver, a product with the matrix among it: blocks once, and the four vectors of conjugate
+/// gradients in and out. The time is that of a whole solve by its count of iterations.
+void iteration(State& state) {
+  const Bar bar(state);
+  const Matrix matrix(bar);
+  measure(state, bar, matrix.bytes() + 8 * VECTOR * bar.copies(), [&] {
+    Motion motion{bar.x, std::vector<Vec3>(bar.x.size(), Vec3::Zero())};
+    ImplicitStep step(bar.mesh, Material(), Mass::LUMPED, true, bar.conditions,
+                      {TIME_STEP, Method::ITERATIVE, 1e-4, THREADS});
+    step.topologyChanged(motion);
+    step.advance(0, TIME_STEP, &motion);
+    return 1e-3 * step.times().solve / step.stats().iterations;
+  });
+}
+
+/// Elements in, blocks in double out; the factor is counted as nothing.
+void choleskyFactor(State& state) {
+  const Bar bar(state);
+  const Matrix matrix(bar);
+  DirectSolver solver;
+  solver.topologyChanged(bar.assembly, bar.held, bar.piece, bar.factors);
+  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + 2 * matrix.bytes();
+  measure(state, bar, bytes, [&] { return secondsOf([&] { solver.matrixChanged(bar.x); }); });
+}
+
+/// Positions in; vertices out.
+void surfaceUpdate(State& state) {
+  const Bar bar(state);
+  const Surface surface = buildSurface(bar.mesh);
+  const auto vertices = static_cast<double>(surface.vertices.size());
+  measure(state, bar, (sizeof(SurfaceVertex) + 2 * VECTOR) * vertices,
+          [&] { return secondsOf([&] { ::benchmark::DoNotOptimize(surfacePositions(surface, bar.x)); }); });
+}
+
+PlaneCut plane() {
+  PlaneCut cut;
+  cut.point = Vec3(0.507, 0.125, 0);
+  cut.normal = Vec3(1, 0.05, 0.03);
+  return cut;
+}
+
+/// The plane's distances and all elements in.
+void cutInsert(State& state) {
+  const Bar bar(state);
+  measure(state, bar, COPIES * bar.elements() + sizeof(double) * bar.copies(), [&] {
+    CutMesh mesh = bar.mesh;
+    return secondsOf([&] { mesh.insert(planeField(plane(), mesh, bar.x)); });
+  });
+}
+
+/// What is found anew after a cut: all elements in, the pattern of the blocks out.
+void cutTopology(State& state) {
+  const Bar bar(state);
+  const Matrix matrix(bar);
+  const double bytes = COPIES * bar.elements() + sizeof(int) * static_cast<double>(matrix.pattern.column.size());
+  measure(state, bar, bytes, [&] {
+    IterativeSolver solver(1e-4);
+    return secondsOf([&] { solver.topologyChanged(bar.assembly, bar.held, bar.piece, bar.factors); });
+  });
+}
+
+/// The slow preparation of a call is not timed, so the number of calls is given where it would last.
+void sizes(::benchmark::internal::Benchmark* kernel) {
+  kernel->ArgName("size")->Arg(0)->Arg(1)->Unit(::benchmark::kMillisecond)->UseManualTime();
+}
+void fewCalls(::benchmark::internal::Benchmark* kernel) {
+  sizes(kernel);
+  kernel->Iterations(5);
+}
+
+BENCHMARK(rotations)->Apply(sizes);
+BENCHMARK(elasticForces)->Apply(sizes);
+BENCHMARK(blockAssembly)->Apply(sizes);
+BENCHMARK(coarseMatrix)->Apply(sizes);
+BENCHMARK(coarseSolve)->Apply(sizes);
+BENCHMARK(iteration)->Apply(fewCalls);
+BENCHMARK(choleskyFactor)->Apply(fewCalls);
+BENCHMARK(surfaceUpdate)->Apply(sizes);
+BENCHMARK(cutInsert)->Apply(fewCalls);
+BENCHMARK(cutTopology)->Apply(fewCalls);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ::benchmark::Initialize(&argc, argv);
+  if (::benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  triad = bench::triadBandwidth(THREADS);
+  std::cout << "size 0: 12,288 tetrahedra, size 1: 98,304; triad " << 1e-9 * triad << " GB/s" << std::endl;
+  ::benchmark::RunSpecifiedBenchmarks();
+}
