@@ -36,17 +36,20 @@ Scene bar(const Cells& cells, double young_modulus) {
 
 Scene cutBar(const Cells& cells) {
   Scene scene = bar(cells);
-  scene.cuts = {plane(0.3, Vec3(0.507, 0.125, 0), Vec3(1, 0.05, 0.03))};
+  // A section askew to the fine grid meets as large a share of its elements as one across the coarse grid.
+  const Vec3 normal = cells == MIDDLE ? Vec3(1, 0.05, 0.06) : Vec3(1, 0.8, 0.4);
+  scene.cuts = {plane(0.3, Vec3(0.507, 0.125, 0), normal)};
   return scene;
 }
 
 Scene cutPlate() {
   Scene scene = bar({19, 25, 2});
   scene.body.grid->size = Vec3(0.38, 0.5, 0.04);
-  scene.cuts = {
-      plane(0.6, Vec3(0.31, 0.25, 0), Vec3(1, 0.05, 0.04)), plane(0.7, Vec3(0.2, 0.1, 0), Vec3(0.06, 1, 0.03)),
-      plane(0.8, Vec3(0.2, 0.37, 0), Vec3(-0.05, 1, 0.04)), plane(0.9, Vec3(0.21, 0.25, 0), Vec3(1, -0.04, 0.05)),
-      plane(1.0, Vec3(0.1, 0.25, 0), Vec3(1, 0.07, 0.02))};
+  scene.cuts = {plane(0.6, Vec3(0.307, 0.247, 0), Vec3(1, 0.01, 0.008)),
+                plane(0.7, Vec3(0.197, 0.097, 0), Vec3(0.012, 1, 0.006)),
+                plane(0.8, Vec3(0.197, 0.367, 0), Vec3(-0.01, 1, 0.008)),
+                plane(0.9, Vec3(0.207, 0.247, 0), Vec3(1, -0.008, 0.01)),
+                plane(1.0, Vec3(0.097, 0.247, 0), Vec3(1, 0.014, 0.004))};
   return scene;
 }
 

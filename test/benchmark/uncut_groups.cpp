@@ -91,7 +91,7 @@ bool threads(const Options& options, Json* rows) {
   for (int count : {1, 2, 4}) {
     Scene scene = bar(BIG);
     scene.solver.threads = count;
-    runs.push_back(ourRun(std::to_string(count) + " threads", scene, Method::AUTO, counts));
+    runs.push_back(ourRun(std::to_string(count) + (count > 1 ? " threads" : " thread"), scene, Method::AUTO, counts));
   }
   const std::vector<Json> bests = bestOfRounds(runs, rounds(options));
   bool equal = true;
