@@ -12,7 +12,7 @@
 namespace incision::bench {
 namespace {
 
-/// What takes seconds a step: two minutes for one run are enough.
+/// For what takes seconds a step.
 constexpr StepCounts FEW = {5, 5};
 
 constexpr int ROUNDS = 3;
@@ -21,11 +21,17 @@ StepCounts full(const Options& options) { return options.quick ? StepCounts{5, 4
 int rounds(const Options& options) { return options.quick ? 1 : ROUNDS; }
 
 std::vector<Column> columns() {
-  return {{"elements", "/elements"},           {"freedoms", "/dofs"},
-          {"median", "/median_ms", 2},         {"99 %", "/p99_ms", 2},
-          {"x auto", "/times_auto", 2},        {"assembly", "/phase_ms/assembly", 2},
-          {"solve", "/phase_ms/solve", 2},     {"update", "/phase_ms/update", 2},
-          {"iterations", "/iterations", 1},    {"MB", "/peak_mb", 0},
+  return {{"elements", "/elements"},
+          {"freedoms", "/dofs"},
+          {"median", "/median_ms", 2},
+          {"99 %", "/p99_ms", 2},
+          {"ns/element", "/ns_per_element"},
+          {"x auto", "/times_auto", 2},
+          {"assembly", "/phase_ms/assembly", 2},
+          {"solve", "/phase_ms/solve", 2},
+          {"update", "/phase_ms/update", 2},
+          {"iterations", "/iterations", 1},
+          {"MB", "/peak_mb", 0},
           {"kB/element", "/kb_per_element", 2}};
 }
 
@@ -68,6 +74,7 @@ void measureGrid(const Options& options, const Cells& cells, double young_modulu
     row["young_modulus"] = young_modulus;
     row["program"] = row["name"];
     row["name"] = scene.str() + ", " + row["name"].get<std::string>();
+    row["ns_per_element"] = 1e6 * row["median_ms"].get<double>() / row["elements"].get<double>();
     row["times_auto"] = row["median_ms"].get<double>() / bests[0]["median_ms"].get<double>();
     table.print(row);
     rows->push_back(row);
