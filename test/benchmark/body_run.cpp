@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <stdexcept>
 
 #include "incision/body/run_summary.h"
@@ -35,18 +36,10 @@ void requireApplied(const std::vector<StepResult>& steps) {
       if (cut.status != CutStatus::APPLIED) throw std::runtime_error("a cut was not applied: " + cut.reason);
 }
 
-Json dearestCut(const std::vector<StepResult>& steps) {
-  const StepResult* dearest = nullptr;
-  int count = 0;
-  for (const StepResult& step : steps) {
-    if (!cuts(step)) continue;
-    ++count;
-    if (!dearest || step.step_ms > dearest->step_ms) dearest = &step;
-  }
-  return {{"steps", count},
-          {"median_ms", dearest->step_ms},
-          {"phase_ms", phases(dearest->phase_ms)},
-          {"iterations", dearest->iterations}};
+std::vector<StepResult> thoseThatCut(const std::vector<StepResult>& steps) {
+  std::vector<StepResult> found;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(found), cuts);
+  return found;
 }
 
 }  // namespace
@@ -92,7 +85,8 @@ Json runCuts(const Scene& scene, const CutWindows& windows) {
               {"dofs_before", dofs_before},  {"dofs", counts.dofs},
               {"pieces", counts.pieces},     {"load_s", load_s}};
   row["before"] = summary(steps, first - windows.before, windows.before);
-  row["cut"] = dearestCut(steps);
+  const std::vector<StepResult> cutting = thoseThatCut(steps);
+  row["cut"] = summary(cutting, 0, cutting.size());
   row["after"] = summary(steps, after, windows.after);
   if (windows.later > 0) row["later"] = summary(steps, after + windows.at_later, windows.later);
   return row;

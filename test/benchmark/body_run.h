@@ -23,8 +23,8 @@ struct CutWindows {
   int later, at_later;  ///< steps that begin `at_later` steps after the last cut; 0: none
 };
 
-/// Takes steps through all cuts of a scene. The row holds sizes before and after, the summaries "before", "after" and
-/// "later", and under "cut" the dearest step of those that cut.
+/// Takes steps through all cuts of a scene. The row holds sizes before and after, "load_s" (mesh and body), "first_ms"
+/// of the first step, and the summaries "before", "cut" (of the steps that cut), "after" and "later".
 Json runCuts(const Scene& scene, const CutWindows& windows);
 
 /// Of `count` steps: "median_ms", "p99_ms", "phase_ms" (means of the phases), "iterations" (mean).
