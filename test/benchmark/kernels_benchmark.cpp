@@ -6,71 +6,40 @@
 // pass the triad.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <iostream>
 
+#include "benchmark/bent_bar.h"
 #include "benchmark/triad.h"
 #include "incision/fem/parallel.h"
 #include "incision/fem/rotation.h"
-#include "incision/mesh/grid_mesh.h"
 #include "incision/solver/coarse_space.h"
 #include "incision/solver/direct_solver.h"
 #include "incision/solver/implicit_step.h"
-#include "incision/solver/iterative_solver.h"
 #include "incision/surface/surface.h"
 
 namespace {
 
 using namespace incision;
+using bench::Bar;
+using bench::bent;
+using bench::Matrix;
+using bench::THREADS;
+using bench::TIME_STEP;
 using ::benchmark::State;
 
-constexpr int THREADS = 2;
-constexpr double TIME_STEP = 0.01;
 constexpr std::array<std::array<int, 3>, 2> GRIDS = {{{32, 8, 8}, {64, 16, 16}}};
 
 /// What must move of each element: its copies; the gradients and the volume at rest; its rotation. And of each vector
 /// at a copy, and of each block of the float matrix with its column.
 constexpr double COPIES = 4 * sizeof(int), REST = 13 * sizeof(double), ROTATION = 9 * sizeof(double),
-                 VECTOR = 3 * sizeof(double), BLOCK = 9 * sizeof(float) + sizeof(int);
+                 VECTOR = 3 * sizeof(double), FLOAT_VECTOR = 3 * sizeof(float), BLOCK = 9 * sizeof(float) + sizeof(int);
 
 double triad = 0;  // [B/s]
 
-/// The bar bent into an arc about y; `angle` [rad] is how far its end turns.
-std::vector<Vec3> bent(const TetMesh& mesh, double angle) {
-  std::vector<Vec3> x;
-  for (const Vec3& X : mesh.nodes) {
-    const double turn = angle * X.x(), radius = 1 / angle + X.z();
-    x.emplace_back(radius * std::sin(turn), X.y(), radius * std::cos(turn) - 1 / angle);
-  }
-  return x;
-}
-
-/// The bar of one size, held at x = 0, with what the kernels need of it.
-struct Bar {
-  explicit Bar(const State& state)
-      : mesh(gridMesh({GRIDS[state.range(0)], Vec3(1, 0.25, 0.25), Vec3::Zero()})),
-        x(bent(mesh.mesh(), 0.5)),
-        conditions{Vec3(0, 0, -9.81), {{{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}}, {}},
-        assembly(mesh, Material(), Mass::LUMPED, true, THREADS),
-        piece(x.size(), 0) {
-    for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.holds[0].box.contains(X));
-    assembly.topologyChanged(x);
-    assembly.rotate(x);
-  }
-
-  double elements() const { return static_cast<double>(mesh.mesh().elements.size()); }
-  double copies() const { return static_cast<double>(x.size()); }
-
-  CutMesh mesh;
-  std::vector<Vec3> x;
-  BoundaryConditions conditions;
-  Assembly assembly;
-  std::vector<bool> held;
-  std::vector<int> piece;
-  SystemFactors factors{1, TIME_STEP* TIME_STEP};
-};
+double bytesOf(const Matrix& matrix) { return BLOCK * static_cast<double>(matrix.pattern.column.size()); }
 
 Motion atRest(const std::vector<Vec3>& x) { return {x, std::vector<Vec3>(x.size(), Vec3::Zero())}; }
 
@@ -78,24 +47,6 @@ ImplicitStep makeStep(const Bar& bar, const CutMesh& mesh) {
   return ImplicitStep(mesh, Material(), Mass::LUMPED, true, bar.conditions,
                       {TIME_STEP, Method::ITERATIVE, 1e-4, THREADS});
 }
-
-/// The float matrix of a bar as the iteration has it.
-struct Matrix {
-  explicit Matrix(const Bar& bar) : aggregates(aggregate(bar.mesh, bar.held)) {
-    findPattern(bar.assembly, aggregates.copies, &pattern);
-    const std::vector<double> diagonal = diagonalScale(bar.assembly, bar.factors);
-    for (int copy : aggregates.copies) scale.push_back(1 / std::sqrt(diagonal[copy]));
-    assembler.assemble(bar.assembly, pattern, bar.factors, scale, &blocks);
-  }
-
-  double bytes() const { return BLOCK * static_cast<double>(pattern.column.size()); }
-
-  Aggregates aggregates;
-  BlockPattern pattern;
-  std::vector<double> scale;
-  BlockAssembler<float> assembler;
-  std::vector<float> blocks;
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -124,7 +75,7 @@ void measure(State& state, const Bar& bar, double bytes, const Kernel& kernel) {
 
 /// F and the last rotation in, the new rotation out.
 void rotations(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   const auto gradients = [&](double angle) {
     std::vector<Mat3> F;
     const std::vector<Vec3> y = bent(bar.mesh.mesh(), angle);
@@ -151,7 +102,7 @@ void rotations(State& state) {
 
 /// Elements and positions in, forces out.
 void elasticForces(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   std::vector<Vec3> forces;
   const double bytes = (COPIES + REST + ROTATION) * bar.elements() + 2 * VECTOR * bar.copies();
   measure(state, bar, bytes, [&] { return secondsOf([&] { bar.assembly.elasticForces(bar.x, &forces); }); });
@@ -159,9 +110,9 @@ void elasticForces(State& state) {
 
 /// Elements in, blocks out.
 void blockAssembly(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   Matrix matrix(bar);
-  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + matrix.bytes();
+  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + bytesOf(matrix);
   measure(state, bar, bytes, [&] {
     return secondsOf(
         [&] { matrix.assembler.assemble(bar.assembly, matrix.pattern, bar.factors, matrix.scale, &matrix.blocks); });
@@ -170,40 +121,52 @@ void blockAssembly(State& state) {
 
 /// Blocks and positions in; the factor is counted as nothing, since its size is the solver's own.
 void coarseMatrix(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   const Matrix matrix(bar);
   CoarseSpace coarse;
   coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
-  measure(state, bar, matrix.bytes() + VECTOR * bar.copies(),
+  measure(state, bar, bytesOf(matrix) + VECTOR * bar.copies(),
           [&] { return secondsOf([&] { coarse.matrixChanged(bar.x, matrix.blocks, THREADS); }); });
 }
 
 /// Residual in, correction out.
 void coarseSolve(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   const Matrix matrix(bar);
   CoarseSpace coarse;
   coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
   coarse.matrixChanged(bar.x, matrix.blocks, THREADS);
-  const std::vector<Vec3> r(matrix.pattern.rows(), Vec3(1, -2, 3));
-  std::vector<Vec3> z(r.size());
-  measure(state, bar, 2 * VECTOR * static_cast<double>(r.size()), [&] {
+  const std::vector<Vec4f> r(matrix.pattern.rows(), Vec4f(1, -2, 3, 0));
+  std::vector<Vec4f> z(r.size());
+  measure(state, bar, 2 * FLOAT_VECTOR * static_cast<double>(r.size()), [&] {
     return secondsOf([&] {
       parallelFor(matrix.aggregates.count(), THREADS, [&](int a) { coarse.restrictAggregate(a, r); });
       coarse.solve();
-      parallelFor(matrix.aggregates.count(), THREADS, [&](int a) {
-        for (int i = matrix.aggregates.start[a]; i < matrix.aggregates.start[a + 1]; ++i) z[i] = coarse.prolong(a, i);
-      });
+      parallelFor(matrix.pattern.rows(), THREADS, [&](int i) { z[i] = coarse.prolong(i); });
     });
   });
 }
 
-/// One iteration of the solver, a product with the matrix among it: blocks once, and the four vectors of conjugate
-/// gradients in and out. The time is that of a whole solve by its count of iterations.
-void iteration(State& state) {
-  const Bar bar(state);
+/// Blocks and a vector in, a vector out.
+void matrixProduct(State& state) {
+  const Bar bar(GRIDS[state.range(0)]);
   const Matrix matrix(bar);
-  measure(state, bar, matrix.bytes() + 8 * VECTOR * bar.copies(), [&] {
+  const std::vector<Vec4f> p(matrix.pattern.rows(), Vec4f(1, -2, 3, 0));
+  std::vector<Vec4f> Ap(p.size());
+  measure(state, bar, bytesOf(matrix) + 2 * FLOAT_VECTOR * static_cast<double>(p.size()), [&] {
+    return secondsOf([&] {
+      parallelFor(matrix.pattern.rows(), THREADS,
+                  [&](int i) { Ap[i] = multiplyRow(matrix.pattern, matrix.blocks, i, p); });
+    });
+  });
+}
+
+/// One iteration of the solver, a product among it: blocks, and four vectors of conjugate gradients in and out. The
+/// time is that of a whole solve by its count of iterations, the residuals in double included.
+void iteration(State& state) {
+  const Bar bar(GRIDS[state.range(0)]);
+  const Matrix matrix(bar);
+  measure(state, bar, bytesOf(matrix) + 8 * FLOAT_VECTOR * bar.copies(), [&] {
     Motion motion = atRest(bar.x);
     ImplicitStep step = makeStep(bar, bar.mesh);
     step.topologyChanged(motion);
@@ -214,17 +177,18 @@ void iteration(State& state) {
 
 /// Elements in, blocks in double out; the factor is counted as nothing.
 void choleskyFactor(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   const Matrix matrix(bar);
   DirectSolver solver;
-  solver.topologyChanged(bar.assembly, bar.held, bar.piece, bar.factors);
-  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + 2 * matrix.bytes();
+  const std::vector<int> nothing;
+  solver.systemChanged(bar.assembly, {bar.held, bar.piece, nothing}, bar.factors);
+  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + 2 * bytesOf(matrix);
   measure(state, bar, bytes, [&] { return secondsOf([&] { solver.matrixChanged(bar.x); }); });
 }
 
 /// Positions in; vertices out.
 void surfaceUpdate(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   const Surface surface = buildSurface(bar.mesh);
   const auto vertices = static_cast<double>(surface.vertices.size());
   measure(state, bar, (sizeof(SurfaceVertex) + 2 * VECTOR) * vertices,
@@ -240,31 +204,31 @@ PlaneCut plane() {
 
 /// The plane's distances and all elements in.
 void cutInsert(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   measure(state, bar, COPIES * bar.elements() + sizeof(double) * bar.copies(), [&] {
     CutMesh mesh = bar.mesh;
     return secondsOf([&] { mesh.insert(planeField(plane(), mesh, bar.x)); });
   });
 }
 
-/// All that is found anew after a cut, pattern and aggregates among it, and the matrix of the first step that has them:
-/// elements in, blocks out.
+/// All that is edited or found anew after a cut, pattern and aggregates among it, and the matrix of the first step that
+/// has them: elements in, blocks out.
 void cutTopology(State& state) {
-  const Bar bar(state);
+  const Bar bar(GRIDS[state.range(0)]);
   const Matrix matrix(bar);
-  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + matrix.bytes();
+  const double bytes = (COPIES + REST + ROTATION) * bar.elements() + bytesOf(matrix);
   measure(state, bar, bytes, [&] {
     CutMesh mesh = bar.mesh;
     Motion motion = atRest(bar.x);
     ImplicitStep step = makeStep(bar, mesh);
     step.topologyChanged(motion);
     step.advance(0, TIME_STEP, &motion);
-    mesh.insert(planeField(plane(), mesh, motion.x));
+    const Insertion done = mesh.insert(planeField(plane(), mesh, motion.x));
     for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
       motion.x.push_back(motion.x[mesh.copyParent(c)]);
       motion.v.push_back(motion.v[mesh.copyParent(c)]);
     }
-    const double seconds = secondsOf([&] { step.topologyChanged(motion); });
+    const double seconds = secondsOf([&] { step.topologyChanged(motion, done.touched); });
     step.advance(TIME_STEP, TIME_STEP, &motion);
     return seconds + 1e-3 * step.times().assembly;
   });
@@ -284,6 +248,7 @@ BENCHMARK(elasticForces)->Apply(sizes);
 BENCHMARK(blockAssembly)->Apply(sizes);
 BENCHMARK(coarseMatrix)->Apply(sizes);
 BENCHMARK(coarseSolve)->Apply(sizes);
+BENCHMARK(matrixProduct)->Apply(sizes);
 BENCHMARK(iteration)->Apply(fewCalls);
 BENCHMARK(choleskyFactor)->Apply(fewCalls);
 BENCHMARK(surfaceUpdate)->Apply(sizes);
