@@ -29,7 +29,7 @@ def grid_rows(rows, program, young_modulus):
 
 def plot(rows, path):
     plt.figure(figsize=(5.5, 4))
-    plt.loglog(*zip(*PUBLISHED.items()), 'D', color='0.5', label='best of SOFA, Vega, Bullet elsewhere')
+    plt.loglog(*zip(*PUBLISHED.items()), 'D', color='0.5', label='SOFA on another machine')
     for program, (label, color, marker) in STYLES.items():
         points = [(row['elements'], row['median_ms']) for row in grid_rows(rows, program, 1e6)]
         if program == 'auto':
