@@ -26,7 +26,7 @@ inline std::vector<Vec3> bent(const TetMesh& mesh, double angle) {
 /// The bar of one size, held at x = 0, with what the kernels need of it.
 struct Bar {
   explicit Bar(const std::array<int, 3>& cells)
-      : mesh(gridMesh({cells, Vec3(1, 0.25, 0.25), Vec3::Zero()})),
+      : mesh(gridMesh({cells, Vec3(1, 0.25, 0.25), Vec3::Zero()}), THREADS),
         x(bent(mesh.mesh(), 0.5)),
         conditions{Vec3(0, 0, -9.81), {{{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}}, {}},
         assembly(mesh, Material(), Mass::LUMPED, true, THREADS),

@@ -83,7 +83,8 @@ Json runCuts(const Scene& scene, const CutWindows& windows) {
   const auto after = static_cast<std::size_t>(to_last_cut);
   Json row = {{"elements", counts.elements}, {"crack_share", 100.0 * counts.crack_elements / counts.elements},
               {"dofs_before", dofs_before},  {"dofs", counts.dofs},
-              {"pieces", counts.pieces},     {"load_s", load_s}};
+              {"pieces", counts.pieces},     {"load_s", load_s},
+              {"first_ms", steps[0].step_ms}};
   row["before"] = summary(steps, first - windows.before, windows.before);
   const std::vector<StepResult> cutting = thoseThatCut(steps);
   row["cut"] = summary(cutting, 0, cutting.size());

@@ -100,8 +100,8 @@ bool large(const Options&, Json* rows) {
   const Table table("A million elements", columns());
   const Json row = measureCuts(nameOf(HUGE_GRID), cutBar(HUGE_GRID), {10, 10, 0, 0}, 1);
   report(table, row, "large", rows);
-  std::cout << "    loaded in " << row["load_s"].get<double>() << " s; the first step, which finds the pattern, takes "
-            << row["first_ms"].get<double>() << " ms\n";
+  std::cout << "    loaded in " << row.at("load_s").get<double>()
+            << " s; the first step, which finds the pattern, takes " << row.at("first_ms").get<double>() << " ms\n";
   return true;
 }
 

@@ -3,7 +3,7 @@
 // Each reports its time, ns an element, GB/s and the share of the memory's bandwidth, which STREAM's triad measures at
 // the start of the same run. The bytes are those that must move whatever the layout: every input read once, every
 // result written once. So GB/s is a lower bound of what a kernel moved, and a small body that stays in the caches may
-// pass the triad.
+// pass the triad. What the core's headers inline is compiled for any x86-64 here, the library for this processor.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 #include "benchmark/bent_bar.h"
 #include "benchmark/triad.h"
-#include "incision/fem/parallel.h"
 #include "incision/fem/rotation.h"
+#include "incision/mesh/parallel.h"
 #include "incision/solver/coarse_space.h"
 #include "incision/solver/direct_solver.h"
 #include "incision/solver/implicit_step.h"

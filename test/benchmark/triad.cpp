@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "incision/fem/parallel.h"
+#include "incision/mesh/parallel.h"
 
 namespace incision::bench {
 namespace {
