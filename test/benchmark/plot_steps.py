@@ -29,7 +29,8 @@ def grid_rows(rows, program, young_modulus):
 
 def plot(rows, path):
     plt.figure(figsize=(5.5, 4))
-    plt.loglog(*zip(*PUBLISHED.items()), 'D', color='0.5', label='SOFA on another machine')
+    plt.loglog(*zip(*PUBLISHED.items()), 'D', color='0.5', markersize=10, markerfacecolor='none',
+               label='SOFA on another machine')
     for program, (label, color, marker) in STYLES.items():
         points = [(row['elements'], row['median_ms']) for row in grid_rows(rows, program, 1e6)]
         if program == 'auto':
@@ -46,7 +47,9 @@ def plot(rows, path):
 
 def table(headings, lines):
     print()
-    for cells in (headings, ['---'] * len(headings), *lines):
+    print('| ' + ' | '.join(headings) + ' |')
+    print('|---' * len(headings) + '|')
+    for cells in lines:
         print('| ' + ' | '.join(cells) + ' |')
 
 
