@@ -1,4 +1,4 @@
-# Shared by launch/demo.sh and test/run.sh, which source it: packages, build, ROS environment.
+# Shared by launch/demo.sh, test/run.sh and test/benchmark/run.sh, which source it: packages, build, ROS environment.
 ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 BUILD="$ROOT/build"
 
@@ -7,10 +7,11 @@ fail() {
   exit 1
 }
 
-# Installs those packages of config/packages.txt that are missing: `run`, or `test` for all of them.
+# Installs the packages of config/packages.txt that are missing, down to the last section of a kind: run, test, benchmark.
 install_packages() {
   local wanted missing=() package sudo=()
-  wanted=$(awk -v kind="$1" '/^# test:/ { if (kind == "run") exit } /^[a-z]/' "$ROOT/config/packages.txt")
+  wanted=$(awk -v kind="$1:" '/^# [a-z]+:/ { if (reached && $2 != kind) exit; reached = $2 == kind } /^[a-z]/' \
+    "$ROOT/config/packages.txt")
   for package in $wanted; do
     [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
   done
