@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "incision/mesh/input_error.h"
+#include "incision/mesh/node_order.h"
 #include "incision/solver/implicit_step.h"
 #include "incision/tool/stroke.h"
 
@@ -45,6 +46,11 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037ULL;
 };
 
+TetMesh withOrderedElements(TetMesh mesh) {
+  orderElements(&mesh);
+  return mesh;
+}
+
 std::string missedReason(const Insertion& done) {
   if (done.out_of_bounds == 0) return "it crosses no part of the body that is not cut there already";
   return "its plane crosses " + std::to_string(done.out_of_bounds) +
@@ -56,7 +62,7 @@ std::string missedReason(const Insertion& done) {
 struct DeformableBody::State {
   State(const Scene& s, TetMesh rest, const std::string& urdf)
       : scene(s),
-        mesh(std::move(rest), s.solver.threads),
+        mesh(withOrderedElements(std::move(rest)), s.solver.threads),
         step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
     if (scene.tool) edge = bladeEdge(*scene.tool, urdf, scene.tool->description);
     for (std::size_t n = 0; n < mesh.mesh().nodes.size(); ++n)

@@ -198,8 +198,7 @@ void CutMesh::checkLimits(const Plan& plan) const {
     int count = more;
     for (int p = element; p >= 0; p = parts_[p].next) ++count;
     if (count > MAX_PARTS_PER_ELEMENT)
-      throw InputError("it would cut element " + std::to_string(element) + " into more than " +
-                       std::to_string(MAX_PARTS_PER_ELEMENT) + " parts");
+      throw InputError("it would cut an element into more than " + std::to_string(MAX_PARTS_PER_ELEMENT) + " parts");
   }
   // A split part brings at most four copies, a severed face at most three.
   if (numCopies() + 4.0 * static_cast<double>(plan.splits.size()) + 3.0 * static_cast<double>(plan.severed.size()) >

@@ -55,6 +55,19 @@ void mergeSmall(const BlockPattern& pattern, UnionFind* groups) {
 
 }  // namespace
 
+std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held) {
+  // A counting sort by rank.
+  std::vector<int> end(order.rank.size() + 1, 0);
+  const auto rank = [&](int c) { return order.rank[mesh.copyNode(c)]; };
+  for (int c = 0; c < mesh.numCopies(); ++c)
+    if (!held[c]) ++end[rank(c) + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<int> copies(end.back());
+  for (int c = 0; c < mesh.numCopies(); ++c)
+    if (!held[c]) copies[end[rank(c)]++] = c;
+  return copies;
+}
+
 Aggregates aggregate(const CutMesh& mesh, const NodeOrder& order, const BlockPattern& pattern) {
   const int rows = pattern.rows();
   UnionFind groups(rows);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "incision/fem/block_pattern.h"
-#include "incision/solver/node_order.h"
+#include "incision/mesh/node_order.h"
 
 namespace incision {
 
@@ -18,6 +18,9 @@ struct Aggregates {
   std::vector<int> of;  ///< the aggregate of each row
   int count() const { return static_cast<int>(start.size()) - 1; }
 };
+
+/// Those copies that are not held, by the rank of their node; copies of one node ascend.
+std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held);
 
 /// The leaves, split where no block connects their rows, so that no group spans two pieces. Leaves with many more
 /// copies than nodes are split further. Groups too small to carry rigid rotations join a neighbour where they have one.

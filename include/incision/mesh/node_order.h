@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "incision/cut/cut_mesh.h"
+#include "incision/mesh/tet_mesh.h"
 
 namespace incision {
 
@@ -15,7 +15,7 @@ struct NodeOrder {
 
 NodeOrder orderNodes(const TetMesh& mesh, int leaf_size);
 
-/// Those copies that are not held, by the rank of their node; copies of one node ascend.
-std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held);
+/// Sorts the elements so that neighbours are close in memory.
+void orderElements(TetMesh* mesh);
 
 }  // namespace incision

@@ -1,4 +1,4 @@
-#include "incision/solver/node_order.h"
+#include "incision/mesh/node_order.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -56,17 +56,18 @@ class Bisection {
 
 NodeOrder orderNodes(const TetMesh& mesh, int leaf_size) { return Bisection(mesh, leaf_size).order(); }
 
-std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held) {
-  // A counting sort by rank.
-  std::vector<int> end(order.rank.size() + 1, 0);
-  const auto rank = [&](int c) { return order.rank[mesh.copyNode(c)]; };
-  for (int c = 0; c < mesh.numCopies(); ++c)
-    if (!held[c]) ++end[rank(c) + 1];
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<int> copies(end.back());
-  for (int c = 0; c < mesh.numCopies(); ++c)
-    if (!held[c]) copies[end[rank(c)]++] = c;
-  return copies;
+void orderElements(TetMesh* mesh) {
+  const std::vector<int> rank = orderNodes(*mesh, static_cast<int>(mesh->nodes.size())).rank;
+  std::vector<std::pair<int, int>> order;  // the lowest rank of each element's nodes
+  for (std::size_t e = 0; e < mesh->elements.size(); ++e) {
+    const auto& nodes = mesh->elements[e];
+    order.emplace_back(std::min({rank[nodes[0]], rank[nodes[1]], rank[nodes[2]], rank[nodes[3]]}), static_cast<int>(e));
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::array<int, 4>> sorted;
+  sorted.reserve(order.size());
+  for (const auto& [lowest, e] : order) sorted.push_back(mesh->elements[e]);
+  mesh->elements = std::move(sorted);
 }
 
 }  // namespace incision
