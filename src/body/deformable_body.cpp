@@ -76,13 +76,14 @@ struct DeformableBody::State {
   std::optional<CutResult> moveTool(const ToolPose& pose);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
+  bool advanceInHalves(double time, double time_step);
   std::optional<ToolPose> scenePose() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
 
   Scene scene;
   CutMesh mesh;
   ImplicitStep step;
-  Motion motion, before;  // `before`: the state to which a failed step returns
+  Motion motion;
   std::int64_t steps = 0;
   std::deque<ScheduledCut> scheduled;                             // by time; equal times in the order they came
   Edge edge;                                                      // of the blade, in its link's frame
@@ -208,6 +209,15 @@ void DeformableBody::State::applyDue(StepResult* result) {
     if (const std::optional<CutResult> ended = moveTool(*pose)) result->cuts.push_back(*ended);
 }
 
+/// Two steps of half the length; returns false, with the motion as it was, when one of them fails.
+bool DeformableBody::State::advanceInHalves(double time, double time_step) {
+  const Motion before = motion;
+  const double half = time_step / 2;
+  if (step.advance(time, half, &motion) && step.advance(time + half, half, &motion)) return true;
+  motion = before;
+  return false;
+}
+
 DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const std::string& urdf)
     : state_(std::make_unique<State>(scene, std::move(mesh), urdf)) {}
 
@@ -220,11 +230,8 @@ StepResult DeformableBody::step() {
   s.applyDue(&result);
   result.phase_ms.cut = 1e3 * secondsSince(start);
 
-  s.before = s.motion;
   const double dt = s.scene.solver.time_step, t = s.time();
-  if (!s.step.advance(t, dt, &s.motion) &&
-      !(s.step.advance(t, dt / 2, &s.motion) && s.step.advance(t + dt / 2, dt / 2, &s.motion))) {
-    s.motion = s.before;
+  if (!s.step.advance(t, dt, &s.motion) && !s.advanceInHalves(t, dt)) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
                      " s failed, also in two halves: the system is not positive definite or a value is not finite");
   }

@@ -12,6 +12,8 @@
 namespace incision {
 namespace {
 
+Corner corner(int part, int node) { return {static_cast<unsigned>(part), static_cast<unsigned>(node)}; }
+
 /// Roundings that add up in one force: of four products in F, three each in RᵀF, σ, Rσ and the force itself.
 constexpr double ROUNDINGS = 16;
 
@@ -61,7 +63,7 @@ void Assembly::findCorners(const std::vector<char>& touched) {
       for (int s = topology.star_start[n]; s < topology.star_start[n + 1]; ++s) {
         const auto& nodes = mesh_.mesh().elements[topology.star[s]];
         const int I = static_cast<int>(std::find(nodes.begin(), nodes.end(), static_cast<int>(n)) - nodes.begin());
-        for (int p = topology.star[s]; p >= 0; p = mesh_.parts()[p].next) f(mesh_.parts()[p].copies[I], Corner{p, I});
+        for (int p = topology.star[s]; p >= 0; p = mesh_.parts()[p].next) f(mesh_.parts()[p].copies[I], corner(p, I));
       }
     }
   };
@@ -93,8 +95,8 @@ void Assembly::sumCorners(int c) {
   const double lambda = material_.lambda(), mu = material_.mu();
   masses_[c] = mass_diagonal_[c] = stiffness_diagonal_[c] = force_rounding_[c] = 0;
   for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k) {
-    const auto [p, I] = corners_[k];
-    const Gradients& b = rest_[mesh_.parts()[p].element].b;
+    const int p = corners_[k].part, I = corners_[k].node;
+    const Gradients b = rest_[mesh_.parts()[p].element].gradients();
     const double V = volume(p), largest = std::sqrt(b.colwise().squaredNorm().maxCoeff());
     masses_[c] += material_.density * V * mesh_.centroid(p)[I];
     mass_diagonal_[c] += massProduct(p, I, I);
@@ -127,14 +129,19 @@ void Assembly::reset() {
 }
 
 // K_e is V_e Bᵀ D B, and B acts on R_pᵀ y − X through its gradient R_pᵀ F − I alone: the force on node I is V_p R σ
-// b_I.
+// b_I, and the four sum to zero.
 void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const {
   parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
     const Mat3& R = rotations_[p];
     const Mat3 stress = corotatedStress(R.transpose() * gradientOf(p, y), material_);
     part_forces_[p].noalias() = (volume(p) * R * stress) * rest_[mesh_.parts()[p].element].b;
   });
-  gather(forces);
+  gather(
+      [&](const Corner& corner) -> Vec3 {
+        const Mat3& f = part_forces_[corner.part];
+        return corner.node > 0 ? Vec3(f.col(corner.node - 1)) : Vec3(-f.col(0) - f.col(1) - f.col(2));
+      },
+      forces);
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {
@@ -143,20 +150,22 @@ void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* resul
     parallelFor(static_cast<int>(w.size()), threads_, [&](int c) { (*result)[c] = masses_[c] * w[c]; });
     return;
   }
+  part_momenta_.resize(mesh_.parts().size());
   parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
-    part_forces_[p].setZero();
+    part_momenta_[p].setZero();
     for (int I = 0; I < 4; ++I)
-      for (int J = 0; J < 4; ++J) part_forces_[p].col(I) += massProduct(p, I, J) * w[mesh_.parts()[p].copies[J]];
+      for (int J = 0; J < 4; ++J) part_momenta_[p].col(I) += massProduct(p, I, J) * w[mesh_.parts()[p].copies[J]];
   });
-  gather(result);
+  gather([&](const Corner& corner) -> Vec3 { return part_momenta_[corner.part].col(corner.node); }, result);
 }
 
-void Assembly::gather(std::vector<Vec3>* result) const {
+/// Sums what the corners of every copy bring.
+template <typename Function>
+void Assembly::gather(const Function& atCorner, std::vector<Vec3>* result) const {
   result->resize(masses_.size());
   parallelFor(static_cast<int>(masses_.size()), threads_, [&](int c) {
     Vec3 sum = Vec3::Zero();
-    for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k)
-      sum += part_forces_[corners_[k].part].col(corners_[k].node);
+    for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k) sum += atCorner(corners_[k]);
     (*result)[c] = sum;
   });
 }
@@ -185,7 +194,9 @@ double Assembly::volume(int part) const {
   return mesh_.parts()[part].fraction * rest_[mesh_.parts()[part].element].volume;
 }
 
-Gradients Assembly::rotatedGradients(int part) const { return rotations_[part] * rest_[mesh_.parts()[part].element].b; }
+Gradients Assembly::rotatedGradients(int part) const {
+  return rotations_[part] * rest_[mesh_.parts()[part].element].gradients();
+}
 
 double Assembly::massProduct(int part, int I, int J) const {
   const double element_mass = material_.density * rest_[mesh_.parts()[part].element].volume;
@@ -195,7 +206,7 @@ double Assembly::massProduct(int part, int I, int J) const {
 
 Mat3 Assembly::gradientOf(int part, const std::vector<Vec3>& y) const {
   const Part& p = mesh_.parts()[part];
-  return gradient(y[p.copies[0]], y[p.copies[1]], y[p.copies[2]], y[p.copies[3]], rest_[p.element].b);
+  return gradient(y[p.copies[0]], y[p.copies[1]], y[p.copies[2]], y[p.copies[3]], rest_[p.element]);
 }
 
 }  // namespace incision

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "incision/mesh/parallel.h"
 
@@ -18,21 +19,54 @@ void resizeWithRoom(std::size_t size, std::vector<T>* values) {
   values->resize(size);
 }
 
-/// Adds g_I g_Jᵀ for all the corners of a row to its blocks, whose padding takes what comes.
+/// Four numbers in a vector register.
+template <typename T>
+struct Register;
+template <>
+struct Register<float> {
+  using Type = float __attribute__((vector_size(16)));
+};
+template <>
+struct Register<double> {
+  using Type = double __attribute__((vector_size(32)));
+};
+template <typename T>
+using Lanes = typename Register<T>::Type;
+
+// By reference: a register of four doubles cannot be returned alike on all processors.
+template <typename T>
+void load(const T* values, Lanes<T>* lanes) {
+  std::memcpy(lanes, values, sizeof *lanes);
+}
+
+template <typename T>
+void add(const Lanes<T>& more, T* values) {
+  Lanes<T> sum;
+  load(values, &sum);
+  sum += more;
+  std::memcpy(values, &sum, sizeof sum);
+}
+
+/// Adds g_I g_Jᵀ for all the corners of a row to its blocks. The nine products stand in a block as four, four and one.
 template <typename T>
 void addProducts(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
                  T* blocks) {
-  using Column = Eigen::Matrix<T, 4, 1>;
   const int copy = pattern.copies[row];
   for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
     const Corner& corner = assembly.corners()[k];
     const T* g = &gradients[12 * static_cast<std::size_t>(corner.part)];
-    const int* slots = &pattern.slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node];
-    const Column g_I = Eigen::Map<const Column>(g + 3 * corner.node);
+    Lanes<T> g_I, g_J;
+    load(g + 3 * corner.node, &g_I);
+    const Lanes<T> first = __builtin_shufflevector(g_I, g_I, 0, 1, 2, 0);
+    const Lanes<T> second = __builtin_shufflevector(g_I, g_I, 1, 2, 0, 1);
     for (int J = 0; J < 4; ++J) {
-      if (slots[J] < 0) continue;
-      T* S = blocks + BLOCK_SIZE * slots[J];
-      for (int j = 0; j < 3; ++j) Eigen::Map<Column>(S + 4 * j) += g_I * g[3 * J + j];
+      const int slot = slotOf(assembly, pattern, row, corner, J);
+      if (slot < 0) continue;
+      load(g + 3 * J, &g_J);
+      T* S = blocks + BLOCK_SIZE * slot;
+      add<T>(first * __builtin_shufflevector(g_J, g_J, 0, 0, 0, 1), S);
+      add<T>(second * __builtin_shufflevector(g_J, g_J, 1, 1, 2, 2), S + 4);
+      S[8] += g_I[2] * g_J[2];
     }
   }
 }
@@ -44,11 +78,11 @@ void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, in
   for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
     const Corner& corner = assembly.corners()[k];
     for (int J = 0; J < 4; ++J) {
-      const int slot = pattern.slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J];
+      const int slot = slotOf(assembly, pattern, row, corner, J);
       if (slot < 0) continue;
       const double scales = scale[row] * scale[pattern.column[pattern.row_start[row] + slot]];
       const T mass = static_cast<T>(factor * assembly.massProduct(corner.part, corner.node, J) * scales);
-      for (int i = 0; i < 3; ++i) blocks[BLOCK_SIZE * slot + 5 * i] += mass;
+      for (int i = 0; i < 3; ++i) blocks[BLOCK_SIZE * slot + 4 * i] += mass;
     }
   }
 }
@@ -76,24 +110,23 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
     g = (root * assembly.rotatedGradients(p)).template cast<T>();
   });
   const T lambda = static_cast<T>(assembly.material().lambda() / mu);
-  resizeWithRoom(BLOCK_SIZE * pattern.column.size(), blocks);
+  resizeWithRoom(BLOCK_SIZE * pattern.column.size() + 1, blocks);  // a column is read as four
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     const int begin = pattern.row_start[row], end = pattern.row_start[row + 1];
     T* first = &(*blocks)[static_cast<std::size_t>(BLOCK_SIZE) * begin];
     std::fill_n(first, BLOCK_SIZE * (end - begin), T(0));
     addProducts(assembly, pattern, row, gradients_, first);
     for (int k = begin; k < end; ++k) {
-      Eigen::Map<Eigen::Matrix<T, 4, 3>> block(first + BLOCK_SIZE * (k - begin));
       const T scales = static_cast<T>(scale[row] / least) * static_cast<T>(scale[pattern.column[k]] / least);
-      const Eigen::Matrix<T, 3, 3> S = scales * block.template topRows<3>();
-      block.template topRows<3>() = lambda * S + S.transpose();
-      block.template topRows<3>().diagonal().array() += S.trace();
-      block.row(3).setZero();
+      Eigen::Map<Eigen::Matrix<T, 3, 3>> block(first + BLOCK_SIZE * (k - begin));
+      const Eigen::Matrix<T, 3, 3> S = scales * block;
+      block = lambda * S + S.transpose();
+      block.diagonal().array() += S.trace();
     }
     if (assembly.consistentMass()) return addConsistentMass(assembly, pattern, row, scale, factors.mass, first);
     const double mass = factors.mass * assembly.masses()[pattern.copies[row]] * scale[row] * scale[row];
-    for (int i = 0; i < 3; ++i)
-      (*blocks)[BLOCK_SIZE * static_cast<std::size_t>(pattern.diagonal[row]) + 5 * i] += static_cast<T>(mass);
+    T* diagonal = first + BLOCK_SIZE * (pattern.diagonal[row] - begin);
+    for (int i = 0; i < 3; ++i) diagonal[4 * i] += static_cast<T>(mass);
   });
 }
 

@@ -89,8 +89,8 @@ void findSlots(const Assembly& assembly, int row, BlockPattern* pattern) {
   for (int k = pattern->row_start[row]; k < pattern->row_start[row + 1]; ++k)
     slot_of[pattern->column[k]] = k - pattern->row_start[row];
   forEachCoupling(assembly, pattern->row_of, pattern->copies[row], [&](const Corner& corner, int J, int column) {
-    pattern->slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J] =
-        column < 0 ? -1 : slot_of[column];
+    const int slot = column < 0 ? NO_SLOT : std::min<int>(slot_of[column], NO_SLOT);
+    pattern->slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J] = static_cast<std::uint16_t>(slot);
   });
 }
 

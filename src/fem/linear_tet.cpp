@@ -12,8 +12,7 @@ std::vector<RestElement> restElements(const TetMesh& mesh) {
     for (int k = 0; k < 3; ++k) Dm.col(k) = mesh.nodes[nodes[k + 1]] - mesh.nodes[nodes[0]];
     // N_1, N_2, N_3 are the affine coordinates D_m⁻¹ (X − X_0), and N_0 is what they lack of 1.
     const Mat3 inverse = Dm.inverse();
-    rest[e].b.rightCols<3>() = inverse.transpose();
-    rest[e].b.col(0) = -inverse.transpose().rowwise().sum();
+    rest[e].b = inverse.transpose();
     rest[e].volume = Dm.determinant() / 6;
   }
   return rest;

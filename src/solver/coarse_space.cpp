@@ -120,9 +120,8 @@ void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
       for (; k < pattern_->row_start[i + 1] && aggregates_->of[pattern_->column[k]] == J; ++k) {
         if (J > I) continue;
         const Vec4f& arm = arm_[pattern_->column[k]];
-        const Mat3 A = Eigen::Map<const Eigen::Matrix<float, 4, 3>>(&blocks[static_cast<std::size_t>(BLOCK_SIZE) * k])
-                           .topRows<3>()
-                           .cast<double>();
+        const Mat3 A =
+            Eigen::Map<const Eigen::Matrix3f>(&blocks[static_cast<std::size_t>(BLOCK_SIZE) * k]).cast<double>();
         shift += arm.w() * A;
         turn -= A * crossMatrix(arm.head<3>().cast<double>());
       }

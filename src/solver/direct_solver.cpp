@@ -33,7 +33,7 @@ void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& c
       for (int k = pattern_.diagonal[r]; k < pattern_.row_start[r + 1]; ++k)
         for (int i = k == pattern_.diagonal[r] ? j : 0; i < 3; ++i) {
           lower.row.push_back(3 * pattern_.column[k] + i);
-          source_.push_back(BLOCK_SIZE * k + 4 * i + j);
+          source_.push_back(BLOCK_SIZE * k + 3 * i + j);
         }
       lower.column_start.push_back(static_cast<int>(lower.row.size()));
     }

@@ -164,18 +164,19 @@ void ImplicitStep::externalForces(double time) {
 void ImplicitStep::residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
   const double alpha = assembly_.material().mass_damping, beta = assembly_.material().stiffness_damping;
   const int copies = mesh_.numCopies();
+  const auto inertial = [&](int c) -> Vec3 { return dv[c] + alpha * time_step * (motion.v[c] + dv[c]); };
   y_.resize(copies);
-  w_.resize(copies);
-  r->resize(copies);
-  parallelFor(copies, settings_.threads, [&](int c) {
-    const Vec3 next_v = motion.v[c] + dv[c];
-    y_[c] = motion.x[c] + (time_step + beta) * next_v;
-    w_[c] = dv[c] + alpha * time_step * next_v;
-  });
-  assembly_.elasticForces(y_, &forces_);
-  assembly_.multiplyMass(w_, &inertia_);
   parallelFor(copies, settings_.threads,
-              [&](int c) { (*r)[c] = time_step * (external_[c] - forces_[c]) - inertia_[c]; });
+              [&](int c) { y_[c] = motion.x[c] + (time_step + beta) * (motion.v[c] + dv[c]); });
+  assembly_.elasticForces(y_, r);
+  if (assembly_.consistentMass()) {
+    for (int c = 0; c < copies; ++c) y_[c] = inertial(c);
+    assembly_.multiplyMass(y_, &inertia_);
+  }
+  parallelFor(copies, settings_.threads, [&](int c) {
+    const Vec3 inertia = assembly_.consistentMass() ? inertia_[c] : Vec3(assembly_.masses()[c] * inertial(c));
+    (*r)[c] = time_step * (external_[c] - (*r)[c]) - inertia;
+  });
 }
 
 }  // namespace incision

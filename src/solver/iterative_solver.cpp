@@ -56,7 +56,7 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   norms_.systemChanged(assembly, pattern_.copies, change.piece, scale_);
   inverse_diagonal_.resize(rows);
   for (auto* v : {&y_, &r_, &z_, &p_, &Ap_}) v->assign(rows, Vec4f::Zero());
-  for (auto* vectors : {&basis_, &A_basis_}) vectors->assign(BASIS_SIZE, y_);
+  basis_.fill(y_);
   products_.resize(aggregates_.count());
   piece_of_.clear();
   for (int a = 0; a < aggregates_.count(); ++a)
@@ -69,10 +69,10 @@ bool IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
   if (pattern_.rows() == 0) return true;
   assembler_.assemble(*assembly_, pattern_, factors_, scale_, &blocks_);
   parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
-    const Eigen::Map<const Eigen::Matrix<float, 4, 3>> block(
+    const Eigen::Map<const Eigen::Matrix3f> block(
         &blocks_[static_cast<std::size_t>(BLOCK_SIZE) * pattern_.diagonal[i]]);
     inverse_diagonal_[i].setZero();
-    inverse_diagonal_[i].topRows<3>() = block.topRows<3>().cast<double>().inverse().cast<float>();
+    inverse_diagonal_[i].topRows<3>() = block.cast<double>().inverse().cast<float>();
   });
   coarse_.matrixChanged(x, blocks_, assembly_->threads());
   return true;
@@ -128,6 +128,7 @@ void IterativeSolver::scaleResidual() {
 /// the right-hand side r_.
 void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
   const int threads = assembly_->threads(), size = static_cast<int>(basis.size());
+  const std::array<std::vector<Vec4f>*, BASIS_SIZE> A_basis = {&z_, &p_, &Ap_};  // not in use yet
   const auto forEachRow = [&](int a, const auto& f) {
     for (int n = aggregates_.start[a]; n < aggregates_.start[a + 1]; ++n) f(aggregates_.rows[n]);
   };
@@ -144,7 +145,7 @@ void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
     sum = BasisProducts();
     forEachRow(a, [&](int i) {
       for (int j = 0; j < size; ++j) {
-        const Vec4f A_u = A_basis_[j][i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
+        const Vec4f A_u = (*A_basis[j])[i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
         sum.h[j] += static_cast<double>(basis_[j][i].dot(r_[i]));
         for (int k = 0; k < size; ++k) sum.G(j, k) += static_cast<double>(A_u.dot(basis_[k][i]));
       }
@@ -162,7 +163,7 @@ void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
       y_[i].setZero();
       for (int j = 0; j < size; ++j) {
         y_[i] += c[j] * basis_[j][i];
-        r_[i] -= c[j] * A_basis_[j][i];
+        r_[i] -= c[j] * (*A_basis[j])[i];
       }
     });
   });

@@ -82,7 +82,7 @@ void rotations(State& state) {
     const std::vector<RestElement> rest = restElements(bar.mesh.mesh());
     for (std::size_t e = 0; e < rest.size(); ++e) {
       const auto& n = bar.mesh.mesh().elements[e];
-      F.push_back(gradient(y[n[0]], y[n[1]], y[n[2]], y[n[3]], rest[e].b));
+      F.push_back(gradient(y[n[0]], y[n[1]], y[n[2]], y[n[3]], rest[e]));
     }
     return F;
   };

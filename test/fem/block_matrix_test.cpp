@@ -98,7 +98,7 @@ TEST_P(SystemMatrix, InFloatIsTheScaledOneInDouble) {
     for (int k = pattern.row_start[r]; k < pattern.row_start[r + 1]; ++k)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          const int at = BLOCK_SIZE * k + 4 * j + i, s = pattern.column[k];
+          const int at = BLOCK_SIZE * k + 3 * j + i, s = pattern.column[k];
           EXPECT_NEAR(in_double[at], scale[r] * scale[s] * A(3 * r + i, 3 * s + j), 1e-13);
           EXPECT_NEAR(in_float[at], in_double[at], 1e-5);
         }

@@ -18,8 +18,8 @@ TEST(LinearTet, GradientsReproduceALinearField) {
   for (std::size_t e = 0; e < rest.size(); ++e) {
     std::array<Vec3, 4> y;
     for (int I = 0; I < 4; ++I) y[I] = slope * mesh.nodes[mesh.elements[e][I]] + Vec3(1, 2, 3);
-    EXPECT_LT((gradient(y[0], y[1], y[2], y[3], rest[e].b) - slope).norm(), 1e-12 * slope.norm());
-    EXPECT_LT(rest[e].b.rowwise().sum().norm(), 1e-12 * rest[e].b.norm());
+    EXPECT_LT((gradient(y[0], y[1], y[2], y[3], rest[e]) - slope).norm(), 1e-12 * slope.norm());
+    EXPECT_LT(rest[e].gradients().rowwise().sum().norm(), 1e-12 * rest[e].b.norm());
     volume += rest[e].volume;
   }
   EXPECT_NEAR(volume, 0.6, 1e-12);

@@ -30,7 +30,7 @@ inline double filledVolume(const CutMesh& mesh, const std::vector<Vec3>& x) {
   for (const Part& part : mesh.parts()) {
     const RestElement& element = rest[part.element];
     const auto& c = part.copies;
-    volume += part.fraction * element.volume * gradient(x[c[0]], x[c[1]], x[c[2]], x[c[3]], element.b).determinant();
+    volume += part.fraction * element.volume * gradient(x[c[0]], x[c[1]], x[c[2]], x[c[3]], element).determinant();
   }
   return volume;
 }

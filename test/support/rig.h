@@ -64,7 +64,7 @@ inline Eigen::SparseMatrix<double> systemMatrix(const Assembly& assembly, const 
     for (int k = pattern.row_start[r]; k < pattern.row_start[r + 1]; ++k)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          entries.emplace_back(3 * r + i, 3 * pattern.column[k] + j, blocks[BLOCK_SIZE * k + 4 * j + i]);
+          entries.emplace_back(3 * r + i, 3 * pattern.column[k] + j, blocks[BLOCK_SIZE * k + 3 * j + i]);
   const int size = 3 * pattern.rows();
   Eigen::SparseMatrix<double> A(size, size);
   A.setFromTriplets(entries.begin(), entries.end());

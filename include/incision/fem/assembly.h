@@ -9,9 +9,9 @@
 
 namespace incision {
 
-/// One corner of a part: the part and the local node.
+/// One corner of a part: the part and the local node. There are four for every part, so they are packed.
 struct Corner {
-  int part, node;
+  unsigned part : 30, node : 2;
 };
 
 /// Forces and masses of all parts, over the copies. `topologyChanged` must be called before use and after every cut.
@@ -66,7 +66,8 @@ class Assembly {
  private:
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
-  void gather(std::vector<Vec3>* result) const;
+  template <typename Function>
+  void gather(const Function& atCorner, std::vector<Vec3>* result) const;
   void findCorners(const std::vector<char>& touched);
   void sumCorners(int copy);
 
@@ -80,7 +81,8 @@ class Assembly {
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
   std::vector<int> corner_start_;
   std::vector<Corner> corners_;
-  mutable std::vector<Eigen::Matrix<double, 3, 4>> part_forces_;  // scratch of elasticForces and multiplyMass
+  mutable std::vector<Mat3> part_forces_;        // on nodes 1 to 3 of each part; scratch of elasticForces
+  mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass
 };
 
 }  // namespace incision

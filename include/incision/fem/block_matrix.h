@@ -15,14 +15,15 @@ struct SystemFactors {
 /// trace(A_cc)/3 of a copy. Turning parts does not change it, so it holds until the topology changes.
 double diagonalOf(const Assembly& assembly, const SystemFactors& factors, int copy);
 
-/// Entries of a block, column by column, each column padded to four for vector registers.
-inline constexpr int BLOCK_SIZE = 12;
+/// Entries of a block, column by column.
+inline constexpr int BLOCK_SIZE = 9;
 
 /// Gathers A = mass M + stiffness K row by row, so threads never write to the same place. T is float or double.
 template <typename T>
 class BlockAssembler {
  public:
-  /// Writes BLOCK_SIZE values for each block of the pattern: s_row s_column A_block, with `scale` giving s of each row.
+  /// Writes BLOCK_SIZE values for each block of the pattern: s_row s_column A_block, with `scale` giving s of each row;
+  /// and one value more, so that the last column can be read as four.
   void assemble(const Assembly& assembly, const BlockPattern& pattern, const SystemFactors& factors,
                 const std::vector<double>& scale, std::vector<T>* blocks);
 
@@ -44,10 +45,10 @@ inline Vec4f cross(const Vec4f& a, const Vec4f& b) {
   return Eigen::Map<const Vec4f>(reinterpret_cast<const float*>(&product));
 }
 
-/// Σ_c A_rc p_c of one row r; the fourth entries of `p` are padding.
+/// Σ_c A_rc p_c of one row r; the fourth entries of `p` are padding, and zero in the result.
 inline Vec4f multiplyRow(const BlockPattern& pattern, const std::vector<float>& blocks, int row,
                          const std::vector<Vec4f>& p) {
-  using Column = Eigen::Map<const Vec4f, Eigen::Aligned16>;
+  using Column = Eigen::Map<const Vec4f>;  // a column and the first entry of the next
   const int *column = &pattern.column[pattern.row_start[row]],
             *end = &pattern.column[pattern.row_start[row + 1] - 1] + 1;
   const float* A = &blocks[static_cast<std::size_t>(BLOCK_SIZE) * pattern.row_start[row]];
@@ -56,10 +57,12 @@ inline Vec4f multiplyRow(const BlockPattern& pattern, const std::vector<float>& 
   for (; column < end; ++column, A += BLOCK_SIZE) {
     const Vec4f& v = p[*column];
     sum_0 += Column(A) * v[0];
-    sum_1 += Column(A + 4) * v[1];
-    sum_2 += Column(A + 8) * v[2];
+    sum_1 += Column(A + 3) * v[1];
+    sum_2 += Column(A + 6) * v[2];
   }
-  return sum_0 + sum_1 + sum_2;
+  sum_0 += sum_1 + sum_2;
+  sum_0[3] = 0;
+  return sum_0;
 }
 
 }  // namespace incision

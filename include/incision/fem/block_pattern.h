@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "incision/fem/assembly.h"
@@ -16,11 +18,24 @@ struct BlockPattern {
   std::vector<int> diagonal;   ///< the block of each row on the diagonal
 
   /// For corners I and J of part p, slots[16 p + 4 I + J] says which block of the row of corner I couples it to corner
-  /// J, counted from the row's first; −1 where corner J has no row. Without meaning where corner I has none.
-  std::vector<int> slots;
+  /// J, counted from the row's first. NO_SLOT where corner J has no row, or where that is too far to be told; without
+  /// meaning where corner I has no row.
+  std::vector<std::uint16_t> slots;
 
   int rows() const { return static_cast<int>(copies.size()); }
 };
+
+inline constexpr std::uint16_t NO_SLOT = 65535;
+
+/// What slots means for one of a row's corners and J, or −1 where corner J has no row.
+inline int slotOf(const Assembly& assembly, const BlockPattern& pattern, int row, const Corner& corner, int J) {
+  const std::uint16_t slot = pattern.slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J];
+  if (slot != NO_SLOT) return slot;
+  const int column = pattern.row_of[assembly.mesh().parts()[corner.part].copies[J]];
+  if (column < 0) return -1;
+  const auto begin = pattern.column.begin() + pattern.row_start[row];
+  return static_cast<int>(std::lower_bound(begin, pattern.column.begin() + pattern.row_start[row + 1], column) - begin);
+}
 
 /// Finds the pattern whose rows are the copies listed in `order`.
 void findPattern(const Assembly& assembly, const std::vector<int>& order, BlockPattern* pattern);

@@ -13,15 +13,23 @@ using Gradients = Eigen::Matrix<double, 3, 4>;
 
 /// The element at rest.
 struct RestElement {
-  Gradients b;
+  Mat3 b;         ///< b_1, b_2, b_3; the four sum to zero
   double volume;  ///< V_e [m³]
+
+  /// All four.
+  Gradients gradients() const {
+    Gradients all;
+    all << -b.rowwise().sum(), b;
+    return all;
+  }
 };
 
 std::vector<RestElement> restElements(const TetMesh& mesh);
 
 /// Σ_I y_I b_Iᵀ: the gradient of a field given at an element's four copies; F where y are their positions.
-inline Mat3 gradient(const Vec3& y0, const Vec3& y1, const Vec3& y2, const Vec3& y3, const Gradients& b) {
-  return y0 * b.col(0).transpose() + y1 * b.col(1).transpose() + y2 * b.col(2).transpose() + y3 * b.col(3).transpose();
+inline Mat3 gradient(const Vec3& y0, const Vec3& y1, const Vec3& y2, const Vec3& y3, const RestElement& rest) {
+  return (y1 - y0) * rest.b.col(0).transpose() + (y2 - y0) * rest.b.col(1).transpose() +
+         (y3 - y0) * rest.b.col(2).transpose();
 }
 
 /// Stress [Pa] in the unrotated frame for RᵀF: σ = λ tr(ε) I + 2 μ ε, ε = sym(RᵀF) − I.

@@ -76,7 +76,7 @@ class ImplicitStep {
   std::vector<int> touched_;                // since solver_ last looked
   std::vector<double> rounding_;
   std::vector<std::vector<Vec3>> basis_;  // of the first guess: the last Δv and its backward differences
-  std::vector<Vec3> dv_, external_, w_, y_, forces_, inertia_;
+  std::vector<Vec3> dv_, external_, y_, inertia_;
   SolveStats stats_;
   StepTimes times_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "incision/solver/coarse_space.h"
 #include "incision/solver/first_guess.h"
 #include "incision/solver/linear_solver.h"
@@ -43,7 +45,7 @@ class IterativeSolver : public LinearSolver {
   std::vector<Vec3> residual_;  // by copy
   // Vectors of the iteration, by row, in the scaled unknowns over ‖b‖; their fourth entries are padding.
   std::vector<Vec4f> y_, r_, z_, p_, Ap_;
-  std::vector<std::vector<Vec4f>> basis_, A_basis_;
+  std::array<std::vector<Vec4f>, BASIS_SIZE> basis_;
   std::vector<double> terms_;
 
   struct BasisProducts {
