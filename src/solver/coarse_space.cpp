@@ -104,13 +104,11 @@ void CoarseSpace::placeModes(int a, const std::vector<Vec3>& x) {
 
 /// Coarse blocks (I, J) = Σ_{i ∈ I, j ∈ J} Q_iᵀ A_ij Q_j of one row of aggregates.
 void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
-  // Where in row I each coarse column is; filled anew, where it is read, for every row.
-  thread_local std::vector<int> place;
-  if (static_cast<int>(place.size()) < aggregates_->count()) place.resize(aggregates_->count());
-  for (int c = block_start_[I]; c < block_start_[I + 1]; ++c) {
-    coarse_blocks_[c].setZero();
-    place[column_[c]] = c;
-  }
+  const auto begin = column_.begin() + block_start_[I], end = column_.begin() + block_start_[I + 1];
+  const auto blockOf = [&](int J) -> CoarseBlock& {
+    return coarse_blocks_[std::lower_bound(begin, end, J) - column_.begin()];
+  };
+  for (int c = block_start_[I]; c < block_start_[I + 1]; ++c) coarse_blocks_[c].setZero();
   for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
     const int i = aggregates_->rows[n];
     // Columns of one aggregate mostly follow each other: A_ij Q_j is summed over such a run first.
@@ -127,7 +125,7 @@ void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
       }
       if (J > I) continue;
       const Mat3 arms = crossMatrix(arm_[i].head<3>().cast<double>());
-      CoarseBlock& block = coarse_blocks_[place[J]];
+      CoarseBlock& block = blockOf(J);
       block.topLeftCorner<3, 3>() += arm_[i].w() * shift;
       block.topRightCorner<3, 3>() += arm_[i].w() * turn;
       block.bottomLeftCorner<3, 3>() += arms * shift;
