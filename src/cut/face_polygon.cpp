@@ -30,7 +30,9 @@ FacePoint centroid(const FacePolygon& polygon) {
 }
 
 FacePolygon overlap(const FacePolygon& a, const FacePolygon& b) {
-  FacePolygon kept = a, next;
+  FacePolygon kept, next;
+  for (FacePolygon* polygon : {&kept, &next}) polygon->reserve(a.size() + b.size());
+  kept = a;
   for (std::size_t i = 0; i < b.size() && !kept.empty(); ++i) {
     const FacePoint &p = b[i], &q = b[(i + 1) % b.size()];
     next.clear();

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "incision/mesh/tet_mesh.h"
@@ -22,7 +20,11 @@ Vec3 affine(const Barycentric& b) { return b.tail<3>(); }
 class Splitter {
  public:
   Splitter(const Polytope& polytope, const Eigen::Vector4d& phi, const std::vector<signed char>& signs)
-      : polytope_(polytope), phi_(phi), signs_(signs), corners_(polytope.corners) {}
+      : polytope_(polytope), phi_(phi), signs_(signs) {
+    corners_.reserve(2 * polytope.corners.size());
+    corners_ = polytope.corners;
+    for (auto* half : {&positive_, &negative_}) half->reserve(polytope.facets.size() + 1);
+  }
 
   std::optional<Split> run(int crack) {
     for (const Facet& facet : polytope_.facets) clip(facet);
@@ -43,6 +45,7 @@ class Splitter {
     Facet above{{}, facet.face, facet.crack}, below = above;
     bool any_above = false, any_below = false;
     const std::size_t n = facet.corners.size();
+    for (auto* corners : {&above.corners, &below.corners}) corners->reserve(n + 2);
     for (std::size_t i = 0; i < n; ++i) {
       const int a = facet.corners[i], b = facet.corners[(i + 1) % n];
       if (signs_[a] >= 0) above.corners.push_back(a);
@@ -64,38 +67,43 @@ class Splitter {
   /// the neighbour across a face, get the same point.
   int crossing(int a, int b) {
     if (signs_[a] < 0) std::swap(a, b);
-    const auto [entry, added] = crossings_.try_emplace({a, b}, static_cast<int>(corners_.size()));
-    if (added) {
-      const double at_a = phi_.dot(corners_[a]), at_b = phi_.dot(corners_[b]);
-      const Barycentric point = corners_[a] + at_a / (at_a - at_b) * (corners_[b] - corners_[a]);
-      corners_.push_back(point);
-    }
-    return entry->second;
+    const auto known = std::find_if(crossings_.begin(), crossings_.end(),
+                                    [&](const Crossing& crossing) { return crossing.a == a && crossing.b == b; });
+    if (known != crossings_.end()) return known->corner;
+    const double at_a = phi_.dot(corners_[a]), at_b = phi_.dot(corners_[b]);
+    const Barycentric point = corners_[a] + at_a / (at_a - at_b) * (corners_[b] - corners_[a]);
+    crossings_.push_back({a, b, static_cast<int>(corners_.size())});
+    corners_.push_back(point);
+    return crossings_.back().corner;
   }
 
   bool liesOnSection(int c) const { return c >= static_cast<int>(signs_.size()) || signs_[c] == 0; }
 
   /// The rim that the positive facets leave open, counter-clockwise seen from the positive side.
   std::vector<int> sectionLoop() const {
-    std::map<int, int> next;
-    std::set<std::pair<int, int>> edges;
+    std::vector<std::pair<int, int>> edges, rim;
     for (const Facet& facet : positive_)
       for (std::size_t i = 0; i < facet.corners.size(); ++i) {
         const int a = facet.corners[i], b = facet.corners[(i + 1) % facet.corners.size()];
-        if (liesOnSection(a) && liesOnSection(b)) edges.insert({a, b});
+        if (liesOnSection(a) && liesOnSection(b)) edges.emplace_back(a, b);
       }
-    for (const auto& [a, b] : edges)
-      if (!edges.count({b, a}) && !next.emplace(a, b).second) return {};
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const auto& [a, b] : edges) {
+      if (std::binary_search(edges.begin(), edges.end(), std::pair(b, a))) continue;
+      if (!rim.empty() && rim.back().first == a) return {};  // two ways on
+      rim.emplace_back(a, b);
+    }
     std::vector<int> loop;
-    if (next.empty()) return loop;
-    for (int c = next.begin()->first; loop.size() <= next.size();) {
+    if (rim.empty()) return loop;
+    for (int c = rim.front().first; loop.size() <= rim.size();) {
       loop.push_back(c);
-      const auto step = next.find(c);
-      if (step == next.end()) return {};
+      const auto step = std::lower_bound(rim.begin(), rim.end(), std::pair(c, -1));
+      if (step == rim.end() || step->first != c) return {};
       c = step->second;
       if (c == loop.front()) break;
     }
-    return loop.size() == next.size() ? loop : std::vector<int>();
+    return loop.size() == rim.size() ? loop : std::vector<int>();
   }
 
   Polytope compact(const std::vector<Facet>& facets) const {
@@ -117,7 +125,10 @@ class Splitter {
   const Eigen::Vector4d& phi_;
   const std::vector<signed char>& signs_;
   std::vector<Barycentric> corners_;
-  std::map<std::pair<int, int>, int> crossings_;
+  struct Crossing {
+    int a, b, corner;
+  };
+  std::vector<Crossing> crossings_;
   std::vector<Facet> positive_, negative_;
 };
 
