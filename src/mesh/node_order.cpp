@@ -16,6 +16,7 @@ class Bisection {
     std::iota(nodes_.begin(), nodes_.end(), 0);
     order_.rank.resize(nodes_.size());
     order_.leaf.resize(nodes_.size());
+    order_.leaf_size = leaf_size;
     const int count = static_cast<int>(nodes_.size());
     halve(0, count, false);
     for (int i = 0; i < count; ++i) order_.rank[nodes_[i]] = i;

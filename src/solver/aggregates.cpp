@@ -1,6 +1,7 @@
 #include "incision/solver/aggregates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace incision {
@@ -8,6 +9,10 @@ namespace {
 
 /// Three copies in a line cannot tell a rotation about it; four rarely lie in one.
 constexpr int MIN_SIZE = 4;
+
+/// Up to this many nodes leaves have their least size.
+constexpr double SMALL_BODY = 4000;
+constexpr double LEAST_LEAF = 64;
 
 class UnionFind {
  public:
@@ -33,7 +38,7 @@ std::vector<int> leafStarts(const CutMesh& mesh, const NodeOrder& order, const B
   std::vector<int> starts;
   for (int begin = 0, end = 0; begin < pattern.rows(); begin = end) {
     while (end < pattern.rows() && leaf(end) == leaf(begin)) ++end;
-    const int shares = (end - begin + 2 * LEAF_SIZE - 1) / (2 * LEAF_SIZE);
+    const int most = 2 * order.leaf_size, shares = (end - begin + most - 1) / most;
     for (int k = 0; k < shares; ++k) starts.push_back(begin + (end - begin) * k / shares);
   }
   starts.push_back(pattern.rows());
@@ -54,6 +59,8 @@ void mergeSmall(const BlockPattern& pattern, UnionFind* groups) {
 }
 
 }  // namespace
+
+int leafSize(int nodes) { return static_cast<int>(LEAST_LEAF * std::cbrt(std::max(1.0, nodes / SMALL_BODY))); }
 
 std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held) {
   // A counting sort by rank.

@@ -44,7 +44,7 @@ double sumOverRows(int rows, int threads, std::vector<double>* terms, const Func
 void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange& change,
                                     const SystemFactors& factors) {
   const CutMesh& mesh = assembly.mesh();
-  if (!assembly_) order_ = orderNodes(mesh.mesh(), LEAF_SIZE);
+  if (!assembly_) order_ = orderNodes(mesh.mesh(), leafSize(static_cast<int>(mesh.mesh().nodes.size())));
   assembly_ = &assembly;
   factors_ = factors;
   editPattern(assembly, orderCopies(mesh, order_, change.held), change.touched, &pattern_);

@@ -52,7 +52,7 @@ struct Bar {
 /// The float matrix of a bar as the iteration has it.
 struct Matrix {
   explicit Matrix(const Bar& bar) {
-    const NodeOrder order = orderNodes(bar.mesh.mesh(), LEAF_SIZE);
+    const NodeOrder order = orderNodes(bar.mesh.mesh(), leafSize(static_cast<int>(bar.mesh.mesh().nodes.size())));
     findPattern(bar.assembly, orderCopies(bar.mesh, order, bar.held), &pattern);
     aggregates = aggregate(bar.mesh, order, pattern);
     for (int copy : pattern.copies) scale.push_back(1 / std::sqrt(diagonalOf(bar.assembly, bar.factors, copy)));

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "support/rig.h"
@@ -66,6 +67,30 @@ TEST(BlockPattern, EditedAfterCutsIsTheOneBuiltAnew) {
       for (int c = 0; c < mesh.numCopies(); ++c) at[c] = mesh.mesh().nodes[mesh.copyNode(c)];
       assembly.topologyChanged(at, touched);
     }
+  }
+}
+
+// A fan of elements round an edge whose ends have more neighbours than a slot can tell apart.
+TEST(BlockPattern, TakesRowsOfAnyWidth) {
+  constexpr int RIM = 66000;
+  TetMesh fan;
+  fan.nodes = {Vec3(0, 0, -1), Vec3(0, 0, 1)};
+  for (int i = 0; i < RIM; ++i) {
+    const double angle = 2 * M_PI * i / RIM;
+    fan.nodes.emplace_back(std::cos(angle), std::sin(angle), 0);
+    fan.elements.push_back({0, 1, 2 + i, 2 + (i + 1) % RIM});
+  }
+  for (auto& e : fan.elements)
+    if (sixVolumes(fan.nodes[e[0]], fan.nodes[e[1]], fan.nodes[e[2]], fan.nodes[e[3]]) < 0) std::swap(e[2], e[3]);
+  const CutMesh mesh(fan);
+  Assembly assembly(mesh, {}, Mass::LUMPED, true, 1);
+  assembly.topologyChanged(restPositions(mesh));
+  BlockPattern pattern;
+  findPattern(assembly, allCopies(mesh), &pattern);
+  ASSERT_EQ(pattern.row_start[1] - pattern.row_start[0], RIM + 2);
+  for (int k = assembly.cornerStart()[0]; k < assembly.cornerStart()[1]; ++k) {
+    const Corner& corner = assembly.corners()[k];
+    for (int J = 0; J < 4; ++J) EXPECT_EQ(slotOf(assembly, pattern, 0, corner, J), mesh.parts()[corner.part].copies[J]);
   }
 }
 

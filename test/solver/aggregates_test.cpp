@@ -33,7 +33,7 @@ class Grouping : public ::testing::TestWithParam<Body> {
     for (int c = 0; c < mesh.numCopies(); ++c) held.push_back(mesh.mesh().nodes[mesh.copyNode(c)].z() == 0);
     Assembly assembly(mesh, {}, Mass::LUMPED, true, 1);
     assembly.topologyChanged(restPositions(mesh));
-    order = orderNodes(mesh.mesh(), LEAF_SIZE);
+    order = orderNodes(mesh.mesh(), leafSize(static_cast<int>(mesh.mesh().nodes.size())));
     findPattern(assembly, orderCopies(mesh, order, held), &pattern);
     groups = aggregate(mesh, order, pattern);
   }

@@ -10,7 +10,7 @@ namespace incision {
 struct NodeOrder {
   std::vector<int> rank;  ///< place of each node in the order
   std::vector<int> leaf;  ///< number of the compact group of about `leaf_size` nodes each belongs to, ascending by rank
-  int leaves = 0;
+  int leaf_size = 0, leaves = 0;
 };
 
 NodeOrder orderNodes(const TetMesh& mesh, int leaf_size);

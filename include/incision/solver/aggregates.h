@@ -7,9 +7,9 @@
 
 namespace incision {
 
-/// Nodes in a leaf of the order that aggregates are made from. Smaller groups make the coarse matrix dear (three times
-/// the step at 20k nodes with 8), larger ones the iterations many (twice with 512).
-inline constexpr int LEAF_SIZE = 64;
+/// Nodes in a leaf of the order that aggregates are made from, for a body of so many nodes. Smaller groups make the
+/// coarse matrix dear, larger ones the iterations many: 64 was best at 3k nodes, 96 to 128 at 19k, 128 to 256 at 176k.
+int leafSize(int nodes);
 
 /// The rows of a system in groups that are compact and hang together: aggregate a holds rows[start[a]] …
 /// rows[start[a + 1] − 1], ascending.
