@@ -1,11 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
-#include <unordered_map>
 
-#include "incision/cut/copies.h"
 #include "incision/cut/cut_mesh.h"
 #include "incision/mesh/input_error.h"
 #include "incision/mesh/parallel.h"
@@ -50,66 +47,56 @@ class NodeSet {
   std::vector<char> has_;
 };
 
-/// How positive a component is at a crack, by its parts that hold the node: the better of two has the higher highest
-/// side, or as high a one and the higher lowest.
-struct Rank {
-  int highest = -2, lowest = 2;  // holds nothing
-  void add(int side) {
-    highest = std::max(highest, side);
-    lowest = std::min(lowest, side);
-  }
-  bool operator>(const Rank& other) const {
-    return highest != other.highest ? highest > other.highest : lowest > other.lowest;
-  }
-};
-
 }  // namespace
 
 struct CutMesh::SplitPart {
   int part;
-  Split halves;
-  PolytopeMoments positive, negative;  // of the halves
+  CutPart positive, negative;  // without the face_sides, which they inherit
+  double positive_fraction, negative_fraction;
 };
 
 struct CutMesh::SeveredPair {
-  int part, face, other, other_face;
+  int part, face, other, other_face;  // `part` on the positive side
 };
 
-/// All that a crack will do, worked out before anything changes.
+/// What a crack will do to some of the parts.
 struct CutMesh::Plan {
   int crack;
   std::vector<SplitPart> splits;
-  std::vector<SeveredPair> severed;  // `part` on the positive side
+  std::vector<SeveredPair> severed;
   int out_of_bounds = 0;
 };
 
 Insertion CutMesh::insert(const CrackField& crack) {
   Insertion done;
   const int number = crack.crack < 0 ? num_cracks_ : crack.crack;
-  Plan work = plan(crack, number);
-  done.parts_split = static_cast<int>(work.splits.size());
-  done.faces_severed = static_cast<int>(work.severed.size());
-  done.out_of_bounds = work.out_of_bounds;
+  std::vector<Plan> plans = plan(crack, number);
+  for (const Plan& plan : plans) {
+    done.parts_split += static_cast<int>(plan.splits.size());
+    done.faces_severed += static_cast<int>(plan.severed.size());
+    done.out_of_bounds += plan.out_of_bounds;
+    for (const SplitPart& split : plan.splits) done.parts.push_back(split.part);
+    for (const SeveredPair& pair : plan.severed) done.parts.push_back(pair.part);
+  }
   if (!done.changed()) return done;
-  checkLimits(work);
-  for (const SplitPart& split : work.splits) done.parts.push_back(split.part);
-  for (const SeveredPair& pair : work.severed) done.parts.push_back(pair.part);
+  checkLimits(plans, done);
   const int before = numCopies();
-  done.touched = apply(std::move(work));
+  done.touched = apply(std::move(plans), done);
   done.crack = number;
   num_cracks_ = std::max(num_cracks_, number + 1);
   done.copies_added = numCopies() - before;
   return done;
 }
 
-CutMesh::Plan CutMesh::plan(const CrackField& crack, int number) const {
+/// All that the crack will do, worked out before anything changes: in the order of the parts, whatever thread has
+/// planned them.
+std::vector<CutMesh::Plan> CutMesh::plan(const CrackField& crack, int number) const {
   const int count = static_cast<int>(crack.parts.empty() ? parts_.size() : crack.parts.size());
   const auto partOf = [&](int i) { return crack.parts.empty() ? i : crack.parts[i]; };
   double scale = 0;
   for (int i = 0; i < count; ++i) scale = std::max(scale, atCopies(crack.phi, parts_[partOf(i)]).cwiseAbs().maxCoeff());
 
-  // In chunks, put together in the order of the parts whatever thread has planned them.
-  std::vector<Plan> plans((count + PARTS_TOGETHER - 1) / PARTS_TOGETHER, Plan{number, {}, {}, 0});
+  std::vector<Plan> plans((count + PARTS_TOGETHER - 1) / PARTS_TOGETHER, Plan{number, {}, {}});
   parallelFor(static_cast<int>(plans.size()), threads_, [&](int chunk) {
     for (int i = chunk * PARTS_TOGETHER; i < std::min(count, (chunk + 1) * PARTS_TOGETHER); ++i) {
       const Eigen::Vector4d phi = atCopies(crack.phi, parts_[partOf(i)]);
@@ -117,13 +104,7 @@ CutMesh::Plan CutMesh::plan(const CrackField& crack, int number) const {
       if ((phi.array() == 0).count() >= 3 && phi.minCoeff() >= 0) planSever(crack, partOf(i), &plans[chunk]);
     }
   });
-  Plan plan{number, {}, {}, 0};
-  for (Plan& part : plans) {
-    std::move(part.splits.begin(), part.splits.end(), std::back_inserter(plan.splits));
-    plan.severed.insert(plan.severed.end(), part.severed.begin(), part.severed.end());
-    plan.out_of_bounds += part.out_of_bounds;
-  }
-  return plan;
+  return plans;
 }
 
 void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* plan) const {
@@ -137,7 +118,11 @@ void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* pl
     return;
   }
   const PolytopeMoments positive = moments(halves->positive), negative = moments(halves->negative);
-  plan->splits.push_back({part, std::move(*halves), positive, negative});
+  plan->splits.push_back({part,
+                          {std::move(halves->positive), positive.centroid, positive.products, {}},
+                          {std::move(halves->negative), negative.centroid, negative.products, {}},
+                          positive.fraction,
+                          negative.fraction});
 }
 
 /// Severs `part`, which lies on the positive side of a crack through one of its faces, from what lies across.
@@ -191,116 +176,80 @@ bool CutMesh::coincidesWithCut(int part, const std::vector<Barycentric>& section
   return false;
 }
 
-void CutMesh::checkLimits(const Plan& plan) const {
-  std::unordered_map<int, int> added;
-  for (const SplitPart& split : plan.splits) ++added[parts_[split.part].element];
-  for (const auto& [element, more] : added) {
-    int count = more;
-    for (int p = element; p >= 0; p = parts_[p].next) ++count;
-    if (count > MAX_PARTS_PER_ELEMENT)
-      throw InputError("it would cut an element into more than " + std::to_string(MAX_PARTS_PER_ELEMENT) + " parts");
-  }
+void CutMesh::checkLimits(const std::vector<Plan>& plans, const Insertion& done) const {
+  std::vector<int> added(mesh_.elements.size(), 0);
+  for (const Plan& plan : plans)
+    for (const SplitPart& split : plan.splits) ++added[parts_[split.part].element];
+  for (const Plan& plan : plans)
+    for (const SplitPart& split : plan.splits) {
+      int& count = added[parts_[split.part].element];
+      if (count == 0) continue;  // looked at before
+      for (int p = parts_[split.part].element; p >= 0; p = parts_[p].next) ++count;
+      if (count > MAX_PARTS_PER_ELEMENT)
+        throw InputError("it would cut an element into more than " + std::to_string(MAX_PARTS_PER_ELEMENT) + " parts");
+      count = 0;
+    }
   // A split part brings at most four copies, a severed face at most three.
-  if (numCopies() + 4.0 * static_cast<double>(plan.splits.size()) + 3.0 * static_cast<double>(plan.severed.size()) >
-      MAX_COPIES)
+  if (numCopies() + 4.0 * done.parts_split + 3.0 * done.faces_severed > MAX_COPIES)
     throw InputError("it could make more than " + std::to_string(MAX_COPIES) + " copies");
 }
 
-/// The part's detail; a new one is empty.
+/// The part's detail; a new one is that of the whole element.
 CutPart& CutMesh::makeDetail(int part) {
   if (parts_[part].detail < 0) {
     parts_[part].detail = static_cast<int>(details_.size());
-    details_.emplace_back();
+    const PolytopeMoments whole = moments(wholeElement());
+    details_.push_back({wholeElement(), whole.centroid, whole.products, {}});
   }
   return details_[parts_[part].detail];
 }
 
-/// Returns the nodes of all parts that are not as they were, ascending.
-std::vector<int> CutMesh::apply(Plan&& plan) {
-  NodeSet touched(mesh_);
-  std::vector<std::pair<int, int>> sides;  // parts at the new crack, and on which side of it they lie
-  const auto touch = [&](int part, int side) {
-    sides.emplace_back(part, side);
-    touched.addNodesOf(parts_[part].element);
-  };
-  const auto reshape = [&](int part, Polytope&& polytope, const PolytopeMoments& m) {
-    CutPart& cut = makeDetail(part);
-    cut.polytope = std::move(polytope);
-    cut.centroid = m.centroid;
-    cut.products = m.products;
-    parts_[part].fraction = m.fraction;
-  };
-  // At once, but still in growing leaps: a stroke adds a few parts in each of many steps.
-  const std::size_t needed = details_.size() + 2 * plan.splits.size();
-  if (details_.capacity() < needed) details_.reserve(std::max(needed, 2 * details_.capacity()));
-  for (SplitPart& split : plan.splits) {
-    const int positive = split.part, negative = static_cast<int>(parts_.size());
-    std::vector<FaceSide> inherited = makeDetail(positive).face_sides;
-    parts_.push_back(parts_[positive]);
-    parts_[positive].next = negative;
-    parts_[negative].detail = -1;
-    makeDetail(negative).face_sides = std::move(inherited);
-    reshape(positive, std::move(split.halves.positive), split.positive);
-    reshape(negative, std::move(split.halves.negative), split.negative);
-    touch(positive, 1);
-    touch(negative, -1);
+void CutMesh::apply(SplitPart&& split) {
+  const int positive = split.part, negative = static_cast<int>(parts_.size());
+  parts_.push_back(parts_[positive]);
+  if (parts_[positive].detail < 0) {
+    parts_[positive].detail = static_cast<int>(details_.size());
+    details_.push_back(std::move(split.positive));
+  } else {
+    CutPart& detail = details_[parts_[positive].detail];
+    split.positive.face_sides = split.negative.face_sides = std::move(detail.face_sides);
+    detail = std::move(split.positive);
   }
-  for (const SeveredPair& pair : plan.severed) {
-    for (int part : {pair.part, pair.other})
-      if (parts_[part].detail < 0) reshape(part, Polytope(wholeElement()), moments(wholeElement()));
-    makeDetail(pair.part).face_sides.push_back({pair.face, plan.crack, 1});
-    makeDetail(pair.other).face_sides.push_back({pair.other_face, plan.crack, -1});
-    touch(pair.part, 1);
-    touch(pair.other, -1);
-  }
-  for (int part : reconnect(touched.list(), sides)) touched.addNodesOf(parts_[part].element);
-  return touched.list();
+  parts_[negative].detail = static_cast<int>(details_.size());
+  details_.push_back(std::move(split.negative));
+  parts_[positive].next = negative;
+  parts_[positive].fraction = split.positive_fraction;
+  parts_[negative].fraction = split.negative_fraction;
 }
 
-/// Gives every component round the nodes a copy of its own. The own copy stays with the component that holds the node
-/// and is most positive; an extended copy with its first component. Returns the parts whose copies changed.
-std::vector<int> CutMesh::reconnect(const std::vector<int>& nodes, const std::vector<std::pair<int, int>>& sides) {
-  std::vector<int> changed;
-  const std::unordered_map<int, int> side_of(sides.begin(), sides.end());
-  ComponentFinder finder(*this, nodes);
-  std::vector<int> old_copy, new_copy, keeper;
-  std::vector<Rank> rank;
-  for (int node : nodes) {
-    const NodeComponents& found = finder.find(node);
-    if (found.count == 1) continue;
-    old_copy.assign(found.count, -1);
-    rank.assign(found.count, Rank());
-    for (std::size_t i = 0; i < found.parts.size(); ++i) {
-      const int part = found.parts[i], c = found.component[i];
-      old_copy[c] = parts_[part].copies[found.local_node[i]];
-      if (old_copy[c] != own_copy_[node] || !holdsNode(part, found.local_node[i])) continue;
-      const auto side = side_of.find(part);
-      rank[c].add(side == side_of.end() ? 0 : side->second);
+/// Returns the nodes of all parts that are not as they were, ascending.
+std::vector<int> CutMesh::apply(std::vector<Plan>&& plans, const Insertion& done) {
+  NodeSet touched(mesh_);
+  // On which side of the new crack each part lies that touches it.
+  std::vector<signed char> side(parts_.size() + static_cast<std::size_t>(done.parts_split), 0);
+  const auto touch = [&](int part, signed char at) {
+    side[part] = at;
+    touched.addNodesOf(parts_[part].element);
+  };
+  // At once, but still in growing leaps: a stroke adds a few parts in each of many steps.
+  const std::size_t needed = details_.size() + 2 * static_cast<std::size_t>(done.parts_split);
+  if (details_.capacity() < needed) details_.reserve(std::max(needed, 2 * details_.capacity()));
+  for (Plan& plan : plans)
+    for (SplitPart& split : plan.splits) {
+      const int positive = split.part, negative = static_cast<int>(parts_.size());
+      apply(std::move(split));
+      touch(positive, 1);
+      touch(negative, -1);
     }
-    keeper.clear();  // the first component of the highest rank, for each old copy
-    for (int c = 0; c < found.count; ++c) {
-      const auto same = std::find_if(keeper.begin(), keeper.end(), [&](int k) { return old_copy[k] == old_copy[c]; });
-      if (same == keeper.end())
-        keeper.push_back(c);
-      else if (rank[c] > rank[*same])
-        *same = c;
+  for (const Plan& plan : plans)
+    for (const SeveredPair& pair : plan.severed) {
+      makeDetail(pair.part).face_sides.push_back({pair.face, plan.crack, 1});
+      makeDetail(pair.other).face_sides.push_back({pair.other_face, plan.crack, -1});
+      touch(pair.part, 1);
+      touch(pair.other, -1);
     }
-    new_copy.resize(found.count);
-    for (int c = 0; c < found.count; ++c) {
-      new_copy[c] = old_copy[c];
-      if (std::find(keeper.begin(), keeper.end(), c) != keeper.end()) continue;
-      new_copy[c] = numCopies();
-      copy_node_.push_back(node);
-      copy_parent_.push_back(old_copy[c]);
-    }
-    for (std::size_t i = 0; i < found.parts.size(); ++i) {
-      int& copy = parts_[found.parts[i]].copies[found.local_node[i]];
-      if (copy == new_copy[found.component[i]]) continue;
-      copy = new_copy[found.component[i]];
-      changed.push_back(found.parts[i]);
-    }
-  }
-  return changed;
+  for (int part : reconnect(touched.list(), side)) touched.addNodesOf(parts_[part].element);
+  return touched.list();
 }
 
 }  // namespace incision

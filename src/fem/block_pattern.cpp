@@ -122,7 +122,9 @@ void editPattern(const Assembly& assembly, const std::vector<int>& order, const 
   pattern->column.resize(pattern->row_start.back());
   pattern->diagonal.resize(rows);
   pattern->slots = std::move(old.slots);
-  pattern->slots.resize(16 * assembly.mesh().parts().size());
+  const std::size_t slots = 16 * assembly.mesh().parts().size();
+  if (pattern->slots.capacity() < slots) pattern->slots.reserve(slots + slots / 4);  // room for the next cuts
+  pattern->slots.resize(slots);
   parallelFor(rows, assembly.threads(), [&](int row) {
     const auto begin = pattern->column.begin() + pattern->row_start[row];
     const auto end = pattern->column.begin() + pattern->row_start[row + 1];

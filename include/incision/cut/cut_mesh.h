@@ -115,15 +115,16 @@ class CutMesh {
   struct SeveredPair;
   struct Plan;
 
-  Plan plan(const CrackField& crack, int number) const;
+  std::vector<Plan> plan(const CrackField& crack, int number) const;
   void planSplit(const CrackField& crack, double zero, int part, Plan* plan) const;
   void planSever(const CrackField& crack, int part, Plan* plan) const;
-  void checkLimits(const Plan& plan) const;
+  void checkLimits(const std::vector<Plan>& plans, const Insertion& done) const;
   bool severed(int part, int face, int other, int other_face) const;
   bool coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const;
-  std::vector<int> apply(Plan&& plan);
+  void apply(SplitPart&& split);
+  std::vector<int> apply(std::vector<Plan>&& plans, const Insertion& done);
   CutPart& makeDetail(int part);
-  std::vector<int> reconnect(const std::vector<int>& nodes, const std::vector<std::pair<int, int>>& sides);
+  std::vector<int> reconnect(const std::vector<int>& nodes, const std::vector<signed char>& side);
 
   TetMesh mesh_;
   int threads_;
