@@ -58,8 +58,8 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
 }
 
 TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {
-  EXPECT_LE(allocationsOfCut(barWith(Method::ITERATIVE, SMALL)), 18800);  // counted: 16819
-  EXPECT_LE(allocationsOfCut(barWith(Method::ITERATIVE, LARGE)), 68800);  // counted: 61474
+  EXPECT_LE(allocationsOfCut(barWith(Method::ITERATIVE, SMALL)), 12000);  // counted: 10618
+  EXPECT_LE(allocationsOfCut(barWith(Method::ITERATIVE, LARGE)), 43800);  // counted: 38952
 }
 
 }  // namespace
