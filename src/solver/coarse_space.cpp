@@ -86,6 +86,7 @@ void CoarseSpace::matrixChanged(const std::vector<Vec3>& x, const std::vector<fl
   parallelFor(aggregates_->count(), threads, [&](int a) { projectAggregate(a, blocks); });
   usable_ = false;
   for (double extra = REGULARISATION; !usable_ && extra <= MAX_REGULARISATION; extra *= 100) usable_ = factorise(extra);
+  if (!usable_) std::fill(motions_.begin(), motions_.end(), Vec4f::Zero());
 }
 
 void CoarseSpace::placeModes(int a, const std::vector<Vec3>& x) {
