@@ -73,9 +73,7 @@ void Assembly::findCorners(const std::vector<char>& touched) {
   forEachCorner([&](int copy, const Corner&) { ++start[copy + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
 
-  std::vector<Corner> corners;
-  corners.reserve(start.back() + start.back() / 8);  // the next cut's
-  corners.resize(start.back());
+  std::vector<Corner> corners(start.back());
   std::vector<int> end(start.begin(), start.end() - 1);
   for (int c = 0; c < copies; ++c)
     if (!touched[mesh_.copyNode(c)])

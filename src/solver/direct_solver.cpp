@@ -48,8 +48,8 @@ bool DirectSolver::matrixChanged(const std::vector<Vec3>&) {
   return cholesky_.factorise(values_);
 }
 
-SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding,
-                               const std::vector<std::vector<Vec3>>&, std::vector<Vec3>* dv) {
+SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis&,
+                               std::vector<Vec3>* dv) {
   SolveStats stats;
   if (pattern_.rows() == 0) return stats;
   for (int c : pattern_.copies) (*dv)[c].setZero();

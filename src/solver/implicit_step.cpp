@@ -6,7 +6,6 @@
 
 #include "incision/mesh/parallel.h"
 #include "incision/solver/direct_solver.h"
-#include "incision/solver/first_guess.h"
 
 namespace incision {
 namespace {
@@ -41,7 +40,6 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
   held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
   dv_.resize(mesh_.numCopies(), Vec3::Zero());
-  basis_.resize(BASIS_SIZE);
   for (std::vector<Vec3>& differences : basis_)
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
       differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
@@ -54,7 +52,7 @@ void ImplicitStep::reset() {
   solver_ = makeLinearSolver(settings_, assembly_.warping());
   fallback_.reset();
   touched_.clear();
-  basis_.clear();
+  basis_ = Basis();
 }
 
 bool ImplicitStep::advance(double time, double time_step, Motion* motion) {

@@ -78,8 +78,8 @@ bool IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
   return true;
 }
 
-SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<double>& rounding,
-                                  const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) {
+SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
+                                  std::vector<Vec3>* dv) {
   SolveStats stats;
   if (pattern_.rows() == 0) return stats;
   for (int copy : pattern_.copies) (*dv)[copy].setZero();
@@ -94,7 +94,8 @@ SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<do
   guess(basis);
   double before = std::numeric_limits<double>::infinity();
   for (stats.residual = norms_.worstRatio(r_);;) {
-    stats.iterations += iterate(std::max(MARGIN * tolerance_, MIN_GAIN * stats.residual));
+    const double target = std::max(MARGIN * tolerance_, MIN_GAIN * stats.residual);
+    if (stats.residual > target) stats.iterations += iterate(target);
     parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
       (*dv)[pattern_.copies[i]] += norms_.total() * scale_[i] * y_[i].head<3>().cast<double>();
     });
@@ -126,13 +127,13 @@ void IterativeSolver::scaleResidual() {
 
 /// Takes for y_ the best sum of the basis in each piece, since pieces move by themselves, and for r_ what it leaves of
 /// the right-hand side r_.
-void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
-  const int threads = assembly_->threads(), size = static_cast<int>(basis.size());
+void IterativeSolver::guess(const Basis& basis) {
+  const int threads = assembly_->threads();
   const std::array<std::vector<Vec4f>*, BASIS_SIZE> A_basis = {&z_, &p_, &Ap_};  // not in use yet
   const auto forEachRow = [&](int a, const auto& f) {
     for (int n = aggregates_.start[a]; n < aggregates_.start[a + 1]; ++n) f(aggregates_.rows[n]);
   };
-  for (int j = 0; j < size; ++j) {
+  for (int j = 0; j < BASIS_SIZE; ++j) {
     double largest = 0;
     for (int copy : pattern_.copies) largest = std::max(largest, basis[j][copy].cwiseAbs().maxCoeff());
     const double unit = largest > 0 ? 1 / largest : 0;
@@ -144,10 +145,10 @@ void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
     BasisProducts& sum = products_[a];
     sum = BasisProducts();
     forEachRow(a, [&](int i) {
-      for (int j = 0; j < size; ++j) {
+      for (int j = 0; j < BASIS_SIZE; ++j) {
         const Vec4f A_u = (*A_basis[j])[i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
         sum.h[j] += static_cast<double>(basis_[j][i].dot(r_[i]));
-        for (int k = 0; k < size; ++k) sum.G(j, k) += static_cast<double>(A_u.dot(basis_[k][i]));
+        for (int k = 0; k < BASIS_SIZE; ++k) sum.G(j, k) += static_cast<double>(A_u.dot(basis_[k][i]));
       }
     });
   });
@@ -161,7 +162,7 @@ void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
     const Eigen::Matrix<float, BASIS_SIZE, 1> c = combinations_[piece_of_[a]].h.cast<float>();
     forEachRow(a, [&](int i) {
       y_[i].setZero();
-      for (int j = 0; j < size; ++j) {
+      for (int j = 0; j < BASIS_SIZE; ++j) {
         y_[i] += c[j] * basis_[j][i];
         r_[i] -= c[j] * (*A_basis[j])[i];
       }
@@ -173,7 +174,6 @@ void IterativeSolver::guess(const std::vector<std::vector<Vec3>>& basis) {
 /// matrix.
 int IterativeSolver::iterate(double target) {
   const int rows = pattern_.rows(), threads = assembly_->threads();
-  if (norms_.worstRatio(r_) <= target) return 0;
   std::fill(p_.begin(), p_.end(), Vec4f::Zero());
   parallelFor(aggregates_.count(), threads, [&](int a) { coarse_.restrictAggregate(a, r_); });
   double rz = 0;

@@ -25,8 +25,8 @@ bool PiecewiseSolver::matrixChanged(const std::vector<Vec3>& x) {
   return (!any_small_ || direct_.matrixChanged(x)) && (!any_large_ || iterative_.matrixChanged(x));
 }
 
-SolveStats PiecewiseSolver::solve(const Residual& residual, const std::vector<double>& rounding,
-                                  const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) {
+SolveStats PiecewiseSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
+                                  std::vector<Vec3>* dv) {
   SolveStats stats;
   if (any_small_) stats = direct_.solve(residual, rounding, basis, dv);
   if (!any_large_) return stats;

@@ -11,8 +11,8 @@ class DirectSolver : public LinearSolver {
  public:
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   bool matrixChanged(const std::vector<Vec3>& x) override;
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding,
-                   const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) override;
+  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
+                   std::vector<Vec3>* dv) override;
 
  private:
   const Assembly* assembly_ = nullptr;

@@ -1,12 +1,18 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "incision/mesh/tet_mesh.h"
 
 namespace incision {
 
 /// Vectors a first guess is made of: with the last solution and its first two backward differences it can follow a
-/// parabola in time. A fourth vector saved one iteration more and cost as much.
+/// parabola in time.
 inline constexpr int BASIS_SIZE = 3;
+
+/// They themselves, by copy.
+using Basis = std::array<std::vector<Vec3>, BASIS_SIZE>;
 
 using BasisMatrix = Eigen::Matrix<double, BASIS_SIZE, BASIS_SIZE>;
 using BasisVector = Eigen::Matrix<double, BASIS_SIZE, 1>;

@@ -75,7 +75,7 @@ class ImplicitStep {
   int fallback_steps_ = 0;                  // how many more steps it takes
   std::vector<int> touched_;                // since solver_ last looked
   std::vector<double> rounding_;
-  std::vector<std::vector<Vec3>> basis_;  // of the first guess: the last Δv and its backward differences
+  Basis basis_;  // of the first guess: the last Δv and its backward differences
   std::vector<Vec3> dv_, external_, y_, inertia_;
   SolveStats stats_;
   StepTimes times_;

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "incision/solver/coarse_space.h"
-#include "incision/solver/first_guess.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/solver/piece_norms.h"
 
@@ -18,13 +17,13 @@ class IterativeSolver : public LinearSolver {
 
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   bool matrixChanged(const std::vector<Vec3>& x) override;
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding,
-                   const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) override;
+  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
+                   std::vector<Vec3>* dv) override;
 
  private:
   bool floatIsTooCoarse(const std::vector<Vec3>& dv);
   void scaleResidual();
-  void guess(const std::vector<std::vector<Vec3>>& basis);
+  void guess(const Basis& basis);
   int iterate(double target);
   double precondition();
   double update(double alpha);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "incision/fem/block_matrix.h"
+#include "incision/solver/first_guess.h"
 #include "incision/solver/settings.h"
 
 namespace incision {
@@ -41,8 +42,8 @@ class LinearSolver {
 
   /// Finds `dv`, which comes with the held copies' values. The solution is likely near a sum of multiples of the
   /// vectors in `basis`. `rounding` bounds what rounding does to the residual at each copy.
-  virtual SolveStats solve(const Residual& residual, const std::vector<double>& rounding,
-                           const std::vector<std::vector<Vec3>>& basis, std::vector<Vec3>* dv) = 0;
+  virtual SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
+                           std::vector<Vec3>* dv) = 0;
 };
 
 std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, bool warping);
