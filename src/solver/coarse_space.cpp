@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "incision/mesh/parallel.h"
 
@@ -26,15 +27,18 @@ void CoarseSpace::topologyChanged(const BlockPattern& pattern, const Aggregates&
                                   const std::vector<double>& scale) {
   pattern_ = &pattern;
   aggregates_ = &aggregates;
+  extra_.clear();
   arm_.resize(pattern.rows());
   for (int i = 0; i < pattern.rows(); ++i) arm_[i].w() = static_cast<float>(1 / scale[i]);
   findBlocks();
   findUnknowns();
 }
 
+/// Blocks where the pattern has one between two aggregates, and the extra ones.
 void CoarseSpace::findBlocks() {
   block_start_.assign(1, 0);
   column_.clear();
+  auto extra = extra_.begin();
   std::vector<int> seen(aggregates_->count(), -1);
   for (int I = 0; I < aggregates_->count(); ++I) {
     for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
@@ -46,6 +50,7 @@ void CoarseSpace::findBlocks() {
         column_.push_back(J);
       }
     }
+    for (; extra != extra_.end() && extra->first == I; ++extra) column_.push_back(extra->second);
     std::sort(column_.begin() + block_start_.back(), column_.end());
     block_start_.push_back(static_cast<int>(column_.size()));
   }
@@ -84,6 +89,18 @@ void CoarseSpace::findUnknowns() {
 void CoarseSpace::matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads) {
   parallelFor(aggregates_->count(), threads, [&](int a) { placeModes(a, x); });
   parallelFor(aggregates_->count(), threads, [&](int a) { projectAggregate(a, blocks); });
+  coupled_ = false;
+}
+
+void CoarseSpace::couplingsChanged(const CoupledRows& couplings, int threads) {
+  if (coupled_) coarse_blocks_ = uncoupled_blocks_;
+  coupled_ = couplings.count() > 0;
+  if (coupled_) {
+    findEnds(couplings);
+    findPairs();
+    uncoupled_blocks_ = coarse_blocks_;
+    parallelFor(aggregates_->count(), threads, [&](int a) { addCouplings(a, couplings); });
+  }
   usable_ = false;
   for (double extra = REGULARISATION; !usable_ && extra <= MAX_REGULARISATION; extra *= 100) usable_ = factorise(extra);
   if (!usable_) std::fill(motions_.begin(), motions_.end(), Vec4f::Zero());
@@ -103,12 +120,13 @@ void CoarseSpace::placeModes(int a, const std::vector<Vec3>& x) {
   }
 }
 
+int CoarseSpace::blockAt(int I, int J) const {
+  const auto begin = column_.begin() + block_start_[I], end = column_.begin() + block_start_[I + 1];
+  return static_cast<int>(std::lower_bound(begin, end, J) - column_.begin());
+}
+
 /// Coarse blocks (I, J) = Σ_{i ∈ I, j ∈ J} Q_iᵀ A_ij Q_j of one row of aggregates.
 void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
-  const auto begin = column_.begin() + block_start_[I], end = column_.begin() + block_start_[I + 1];
-  const auto blockOf = [&](int J) -> CoarseBlock& {
-    return coarse_blocks_[std::lower_bound(begin, end, J) - column_.begin()];
-  };
   for (int c = block_start_[I]; c < block_start_[I + 1]; ++c) coarse_blocks_[c].setZero();
   for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
     const int i = aggregates_->rows[n];
@@ -126,11 +144,79 @@ void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
       }
       if (J > I) continue;
       const Mat3 arms = crossMatrix(arm_[i].head<3>().cast<double>());
-      CoarseBlock& block = blockOf(J);
+      CoarseBlock& block = coarse_blocks_[blockAt(I, J)];
       block.topLeftCorner<3, 3>() += arm_[i].w() * shift;
       block.topRightCorner<3, 3>() += arm_[i].w() * turn;
       block.bottomLeftCorner<3, 3>() += arms * shift;
       block.bottomRightCorner<3, 3>() += arms * turn;
+    }
+  }
+}
+
+void CoarseSpace::findEnds(const CoupledRows& couplings) {
+  ends_.clear();
+  end_start_.assign(1, 0);
+  held_start_.assign(aggregates_->count() + 1, 0);
+  for (int c = 0; c < couplings.count(); ++c) {
+    for (int k = couplings.start(c); k < couplings.start(c + 1); ++k) {
+      const auto& [row, g] = couplings.ends()[k];
+      const int a = aggregates_->of[row];
+      const auto begin = ends_.begin() + end_start_.back();
+      auto end = std::find_if(begin, ends_.end(), [&](const CoarseEnd& e) { return e.aggregate == a; });
+      if (end == ends_.end()) {
+        end = ends_.insert(end, {a, c, 0, Vec3::Zero()});
+        ++held_start_[a + 1];
+      }
+      end->a += g * arm_[row].w();
+      end->b += g * arm_[row].head<3>().cast<double>();
+    }
+    end_start_.push_back(static_cast<int>(ends_.size()));
+  }
+  std::partial_sum(held_start_.begin(), held_start_.end(), held_start_.begin());
+  held_.resize(ends_.size());
+  std::vector<int> next(held_start_.begin(), held_start_.end() - 1);
+  for (std::size_t e = 0; e < ends_.size(); ++e) held_[next[ends_[e].aggregate]++] = static_cast<int>(e);
+}
+
+/// Makes room for the blocks that couplings need beside the pattern's. They stay, as contacts come and go: each new one
+/// costs an analysis.
+void CoarseSpace::findPairs() {
+  const std::size_t known = extra_.size();
+  for (std::size_t c = 0; c + 1 < end_start_.size(); ++c)
+    for (int e = end_start_[c]; e < end_start_[c + 1]; ++e)
+      for (int f = end_start_[c]; f < end_start_[c + 1]; ++f) {
+        const int I = ends_[e].aggregate, J = ends_[f].aggregate;
+        if (J < I && !std::binary_search(column_.begin() + block_start_[I], column_.begin() + block_start_[I + 1], J))
+          extra_.emplace_back(I, J);
+      }
+  if (extra_.size() == known) return;
+  std::sort(extra_.begin(), extra_.end());
+  extra_.erase(std::unique(extra_.begin(), extra_.end()), extra_.end());
+  const std::vector<int> start = block_start_, column = column_;
+  const std::vector<CoarseBlock> blocks = coarse_blocks_;
+  findBlocks();
+  for (CoarseBlock& block : coarse_blocks_) block.setZero();
+  for (int I = 0; I < aggregates_->count(); ++I)
+    for (int k = start[I]; k < start[I + 1]; ++k) coarse_blocks_[blockAt(I, column[k])] = blocks[k];
+  findUnknowns();
+}
+
+/// Adds H_Iᵀ K H_J for every coupling that holds aggregate I, H = [a 1 | −[b]×] being what it sees of the modes.
+void CoarseSpace::addCouplings(int I, const CoupledRows& couplings) {
+  for (int h = held_start_[I]; h < held_start_[I + 1]; ++h) {
+    const CoarseEnd& end = ends_[held_[h]];
+    const int c = end.coupling;
+    const Mat3 K = couplings.stiffness(c).topRows<3>().cast<double>();
+    const Mat3 shift = end.a * K, turn = crossMatrix(end.b) * K;
+    for (int e = end_start_[c]; e < end_start_[c + 1]; ++e) {
+      const CoarseEnd& other = ends_[e];
+      if (other.aggregate > I) continue;
+      const Mat3 arms = crossMatrix(other.b);
+      CoarseBlock& block = coarse_blocks_[blockAt(I, other.aggregate)];
+      block.topLeftCorner<3, 3>() += other.a * shift;
+      block.topRightCorner<3, 3>() -= shift * arms;
+      block.bottomLeftCorner<3, 3>() += other.a * turn;
+      block.bottomRightCorner<3, 3>() -= turn * arms;
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "incision/solver/direct_solver.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace incision {
@@ -7,6 +8,17 @@ namespace {
 
 /// Relative residual that a backward stable factorisation leaves, and below which its rounding is not worth reporting.
 constexpr double ATTAINABLE = 1e-12;
+
+/// Calls f(row, column, w_row w_column, K) for the blocks row ≤ column of every coupling.
+template <typename Function>
+void forEachBlock(const std::vector<Coupling>& couplings, const std::vector<int>& row_of, const Function& f) {
+  for (const Coupling& coupling : couplings)
+    for (int i = 0; i < coupling.count; ++i)
+      for (int j = 0; j < coupling.count; ++j) {
+        const int row = row_of[coupling.copies[i]], column = row_of[coupling.copies[j]];
+        if (row >= 0 && row <= column) f(row, column, coupling.weights[i] * coupling.weights[j], coupling.stiffness);
+      }
+}
 
 }  // namespace
 
@@ -23,29 +35,81 @@ void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& c
   findPattern(assembly, free_copies, &pattern_);
   ones_.assign(free_copies.size(), 1);
   norms_.systemChanged(assembly, free_copies, change.piece, scale);
+  extra_.clear();
+  analyse();
+}
 
+/// Finds the lower triangle of the pattern and the extra blocks, and an order to eliminate in.
+void DirectSolver::analyse() {
   LowerTriangle lower;
   lower.column_start.push_back(0);
   source_.clear();
   // The matrix is symmetric: row r of blocks read from its diagonal on is column r of the lower triangle.
-  for (int r = 0; r < pattern_.rows(); ++r)
+  std::vector<std::pair<int, int>> blocks;  // column and block, of one row from its diagonal on
+  for (int r = 0, extra = 0; r < pattern_.rows(); ++r) {
+    blocks.clear();
+    for (int k = pattern_.diagonal[r]; k < pattern_.row_start[r + 1]; ++k) blocks.emplace_back(pattern_.column[k], k);
+    for (; extra < static_cast<int>(extra_.size()) && extra_[extra].first == r; ++extra)
+      blocks.emplace_back(extra_[extra].second, pattern_.row_start.back() + extra);
+    std::sort(blocks.begin(), blocks.end());
     for (int j = 0; j < 3; ++j) {
-      for (int k = pattern_.diagonal[r]; k < pattern_.row_start[r + 1]; ++k)
-        for (int i = k == pattern_.diagonal[r] ? j : 0; i < 3; ++i) {
-          lower.row.push_back(3 * pattern_.column[k] + i);
-          source_.push_back(BLOCK_SIZE * k + 3 * i + j);
+      for (const auto& [column, block] : blocks)
+        for (int i = column == r ? j : 0; i < 3; ++i) {
+          lower.row.push_back(3 * column + i);
+          source_.push_back(BLOCK_SIZE * block + 3 * i + j);
         }
       lower.column_start.push_back(static_cast<int>(lower.row.size()));
     }
+  }
   values_.resize(source_.size());
   if (pattern_.rows() > 0) cholesky_.analyse(lower, 3);
 }
 
-bool DirectSolver::matrixChanged(const std::vector<Vec3>&) {
+void DirectSolver::matrixChanged(const std::vector<Vec3>&) {
+  if (pattern_.rows() > 0) assembler_.assemble(*assembly_, pattern_, factors_, ones_, &blocks_);
+}
+
+bool DirectSolver::couplingsChanged(const std::vector<Coupling>& couplings, double time_step) {
   if (pattern_.rows() == 0) return true;
-  assembler_.assemble(*assembly_, pattern_, factors_, ones_, &blocks_);
-  for (std::size_t k = 0; k < source_.size(); ++k) values_[k] = blocks_[source_[k]];
+  if (couplings.empty() && extra_.empty()) return factorise(blocks_);
+  findBlocks(couplings);
+  coupled_blocks_ = blocks_;
+  coupled_blocks_.resize(BLOCK_SIZE * static_cast<std::size_t>(pattern_.row_start.back()));
+  coupled_blocks_.resize(BLOCK_SIZE * (pattern_.row_start.back() + extra_.size()), 0);
+  forEachBlock(couplings, pattern_.row_of, [&](int row, int column, double weight, const Mat3& K) {
+    Eigen::Map<Mat3>(&coupled_blocks_[static_cast<std::size_t>(BLOCK_SIZE) * blockAt(row, column)]) +=
+        time_step * time_step * weight * K;
+  });
+  return factorise(coupled_blocks_);
+}
+
+bool DirectSolver::factorise(const std::vector<double>& blocks) {
+  for (std::size_t k = 0; k < source_.size(); ++k) values_[k] = blocks[source_[k]];
   return cholesky_.factorise(values_);
+}
+
+/// The block in a row from its diagonal on, or −1.
+int DirectSolver::blockAt(int row, int column) const {
+  const auto begin = pattern_.column.begin() + pattern_.diagonal[row];
+  const auto end = pattern_.column.begin() + pattern_.row_start[row + 1];
+  const auto at = std::lower_bound(begin, end, column);
+  if (at != end && *at == column) return static_cast<int>(at - pattern_.column.begin());
+  const auto extra = std::lower_bound(extra_.begin(), extra_.end(), std::make_pair(row, column));
+  if (extra == extra_.end() || *extra != std::make_pair(row, column)) return -1;
+  return pattern_.row_start.back() + static_cast<int>(extra - extra_.begin());
+}
+
+/// Makes room for the couplings' blocks. They stay, as contacts come and go: each new one costs an analysis.
+void DirectSolver::findBlocks(const std::vector<Coupling>& couplings) {
+  std::vector<std::pair<int, int>> missing;
+  forEachBlock(couplings, pattern_.row_of, [&](int row, int column, double, const Mat3&) {
+    if (blockAt(row, column) < 0) missing.emplace_back(row, column);
+  });
+  if (missing.empty()) return;
+  extra_.insert(extra_.end(), missing.begin(), missing.end());
+  std::sort(extra_.begin(), extra_.end());
+  extra_.erase(std::unique(extra_.begin(), extra_.end()), extra_.end());
+  analyse();
 }
 
 SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis&,

@@ -18,6 +18,9 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 /// stiffness beyond float, rarely goes away at once.
 constexpr int FALLBACK_STEPS = 20;
 
+/// Solves in a step at most. Contacts that close and part mostly settle after one or two.
+constexpr int MAX_SOLVES = 8;
+
 bool allFinite(const std::vector<Vec3>& values) {
   return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
 }
@@ -37,9 +40,11 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
   assembly_.topologyChanged(motion.x, touched);
   touched_.insert(touched_.end(), touched.begin(), touched.end());
   piece_ = mesh_.copyPieces(&pieces_);
+  group_ = piece_;
   held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
-  dv_.resize(mesh_.numCopies(), Vec3::Zero());
+  for (int c = static_cast<int>(dv_.size()); c < mesh_.numCopies(); ++c)
+    dv_.push_back(mesh_.copyParent(c) < c ? Vec3(dv_[mesh_.copyParent(c)]) : Vec3::Zero());
   for (std::vector<Vec3>& differences : basis_)
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
       differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
@@ -53,25 +58,27 @@ void ImplicitStep::reset() {
   fallback_.reset();
   touched_.clear();
   basis_ = Basis();
+  dv_.clear();
 }
 
-bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
+bool ImplicitStep::advance(double time, double time_step, Motion* motion, const Couple& couple) {
   const auto start = std::chrono::steady_clock::now();
   assembly_.rotate(motion->x);
+  if (fallback_steps_ > 0 && --fallback_steps_ == 0) topology_known_ = false;
   prepareMatrix(time_step, *motion);
   times_.assembly = millisecondsSince(start);
-  if (!matrix_known_) return false;
 
   const auto solving = std::chrono::steady_clock::now();
   externalForces(time + time_step);
   for (int c = 0; c < mesh_.numCopies(); ++c)
     if (held_[c] >= 0) dv_[c] = conditions_.holds[held_[c]].velocity - motion->v[c];
-  stats_ = solve(time_step, *motion);
+  const bool solved = solveCoupled(time_step, *motion, couple);
   times_.solve = millisecondsSince(solving);
 
   const auto updating = std::chrono::steady_clock::now();
-  if (!stats_.converged || !allFinite(dv_)) {
+  if (!solved || !allFinite(dv_)) {
     for (std::vector<Vec3>& differences : basis_) differences.assign(differences.size(), Vec3::Zero());
+    for (Vec3& dv : dv_) dv.setZero();
     return false;
   }
   remember();
@@ -81,6 +88,57 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion) {
   }
   times_.update = millisecondsSince(updating);
   return true;
+}
+
+/// Solves, and again as long as that changes the couplings, with the last solution as a guess.
+bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, const Couple& couple) {
+  couplings_.clear();
+  if (couple) updateCouplings(time_step, motion, couple);
+  stats_ = SolveStats();
+  int iterations = 0;
+  for (int k = 0; k < MAX_SOLVES; ++k) {
+    const bool joined = joinGroups();
+    if (joined) prepare(current(), true, time_step, motion);
+    if (joined || !matrix_known_ || was_coupled_ || !couplings_.empty())
+      matrix_known_ = current()->couplingsChanged(couplings_, time_step);
+    was_coupled_ = !couplings_.empty();
+    if (!matrix_known_) return false;
+    if (k > 0) {
+      again_basis_ = basis_;
+      again_basis_[0] = dv_;
+    }
+    stats_ = solve(time_step, motion, k > 0 ? again_basis_ : basis_);
+    iterations += stats_.iterations;
+    stats_.iterations = iterations;
+    if (!stats_.converged) return false;
+    if (!couple || !updateCouplings(time_step, motion, couple)) return true;
+  }
+  return true;
+}
+
+bool ImplicitStep::updateCouplings(double time_step, const Motion& motion, const Couple& couple) {
+  v_end_.resize(motion.v.size());
+  for (std::size_t c = 0; c < v_end_.size(); ++c) v_end_[c] = motion.v[c] + dv_[c];
+  return couple(time_step, v_end_, &couplings_);
+}
+
+/// Joins the groups of pieces that a coupling holds against each other; returns whether that changed any. Groups only
+/// grow until the topology changes: pieces that lie on each other often come and go, and a solver takes time to turn.
+bool ImplicitStep::joinGroups() {
+  bool joined = false;
+  for (const Coupling& coupling : couplings_) {
+    int group = -1;
+    for (int i = 0; i < coupling.count; ++i) {
+      if (held_[coupling.copies[i]] >= 0) continue;
+      const int other = group_[coupling.copies[i]];
+      if (group >= 0 && other != group) {
+        std::replace(group_.begin(), group_.end(), std::max(group, other), std::min(group, other));
+        joined = true;
+      }
+      group = group < 0 ? other : std::min(group, other);
+    }
+  }
+  return joined;
 }
 
 /// Takes Δv into the differences: D_0 = Δv, D_k = D_{k−1} − its value a step ago.
@@ -98,29 +156,26 @@ void ImplicitStep::remember() {
 void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
   const bool new_system = !topology_known_ || time_step != matrix_time_step_;
   if (!new_system && matrix_known_ && !assembly_.warping()) return;
-  if (fallback_steps_ > 0) {
-    matrix_known_ = prepare(fallback_.get(), new_system, time_step, motion);
-  } else {
-    matrix_known_ = prepare(solver_.get(), new_system, time_step, motion);
-    touched_.clear();
-  }
+  prepare(current(), new_system, time_step, motion);
+  if (fallback_steps_ == 0) touched_.clear();
+  matrix_known_ = false;
   topology_known_ = true;
   matrix_time_step_ = time_step;
 }
 
-bool ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion) {
+void ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion) {
   if (new_system) {
     const Material& material = assembly_.material();
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
     solver->systemChanged(
-        assembly_, {held, piece_, touched_},
+        assembly_, {held, piece_, group_, touched_},
         {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
   }
-  return solver->matrixChanged(motion.x);
+  solver->matrixChanged(motion.x);
 }
 
-SolveStats ImplicitStep::solve(double time_step, const Motion& motion) {
+SolveStats ImplicitStep::solve(double time_step, const Motion& motion, const Basis& basis) {
   double reach = 0;
   for (const Vec3& x : motion.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
   rounding_.resize(assembly_.forceRounding().size());
@@ -130,17 +185,15 @@ SolveStats ImplicitStep::solve(double time_step, const Motion& motion) {
   };
   const Residual r = std::cref(evaluate);  // a reference fits into it: no allocation
 
-  if (fallback_steps_ > 0) {
-    if (--fallback_steps_ == 0) topology_known_ = false;
-    return fallback_->solve(r, rounding_, basis_, &dv_);
-  }
-  SolveStats stats = solver_->solve(r, rounding_, basis_, &dv_);
+  if (fallback_steps_ > 0) return fallback_->solve(r, rounding_, basis, &dv_);
+  SolveStats stats = solver_->solve(r, rounding_, basis, &dv_);
   if (stats.converged) return stats;
   if (!fallback_) fallback_ = std::make_unique<DirectSolver>();
   fallback_steps_ = FALLBACK_STEPS;
-  if (!prepare(fallback_.get(), true, time_step, motion)) return stats;
+  prepare(fallback_.get(), true, time_step, motion);
+  if (!fallback_->couplingsChanged(couplings_, time_step)) return stats;
   const int iterations = stats.iterations;
-  stats = fallback_->solve(r, rounding_, basis_, &dv_);
+  stats = fallback_->solve(r, rounding_, basis, &dv_);
   stats.iterations = iterations;
   return stats;
 }
@@ -175,6 +228,9 @@ void ImplicitStep::residual(double time_step, const Motion& motion, const std::v
     const Vec3 inertia = assembly_.consistentMass() ? inertia_[c] : Vec3(assembly_.masses()[c] * inertial(c));
     (*r)[c] = time_step * (external_[c] - (*r)[c]) - inertia;
   });
+  if (couplings_.empty()) return;
+  for (int c = 0; c < copies; ++c) y_[c] = motion.v[c] + dv[c];
+  addImpulses(couplings_, time_step, y_, r);
 }
 
 }  // namespace incision

@@ -54,28 +54,46 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   parallelFor(rows, assembly.threads(),
               [&](int i) { scale_[i] = 1 / std::sqrt(diagonalOf(assembly, factors, pattern_.copies[i])); });
   norms_.systemChanged(assembly, pattern_.copies, change.piece, scale_);
+  coupled_ = CoupledRows();
   inverse_diagonal_.resize(rows);
   for (auto* v : {&y_, &r_, &z_, &p_, &Ap_}) v->assign(rows, Vec4f::Zero());
   basis_.fill(y_);
   products_.resize(aggregates_.count());
-  piece_of_.clear();
+  group_of_.clear();
   for (int a = 0; a < aggregates_.count(); ++a)
-    piece_of_.push_back(change.piece[pattern_.copies[aggregates_.rows[aggregates_.start[a]]]]);
-  pieces_ = change.piece.empty() ? 0 : 1 + *std::max_element(change.piece.begin(), change.piece.end());
+    group_of_.push_back(change.group[pattern_.copies[aggregates_.rows[aggregates_.start[a]]]]);
+  groups_ = change.group.empty() ? 0 : 1 + *std::max_element(change.group.begin(), change.group.end());
   if (rows > 0) coarse_.topologyChanged(pattern_, aggregates_, scale_);
 }
 
-bool IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
-  if (pattern_.rows() == 0) return true;
+void IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
+  if (pattern_.rows() == 0) return;
   assembler_.assemble(*assembly_, pattern_, factors_, scale_, &blocks_);
-  parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
-    const Eigen::Map<const Eigen::Matrix3f> block(
-        &blocks_[static_cast<std::size_t>(BLOCK_SIZE) * pattern_.diagonal[i]]);
-    inverse_diagonal_[i].setZero();
-    inverse_diagonal_[i].topRows<3>() = block.cast<double>().inverse().cast<float>();
-  });
+  parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) { invertDiagonal(i, Mat3::Zero()); });
   coarse_.matrixChanged(x, blocks_, assembly_->threads());
+}
+
+bool IterativeSolver::couplingsChanged(const std::vector<Coupling>& couplings, double time_step) {
+  if (pattern_.rows() == 0) return true;
+  const int threads = assembly_->threads();
+  const auto& rows = coupled_.rows();
+  parallelFor(static_cast<int>(rows.size()), threads, [&](int k) { invertDiagonal(rows[k], Mat3::Zero()); });
+  coupled_.set(couplings, time_step, pattern_, scale_);
+  parallelFor(static_cast<int>(rows.size()), threads, [&](int k) { invertDiagonal(rows[k], coupled_.diagonal(k)); });
+  coarse_.couplingsChanged(coupled_, threads);
   return true;
+}
+
+void IterativeSolver::invertDiagonal(int row, const Mat3& coupled) {
+  const Eigen::Map<const Eigen::Matrix3f> block(
+      &blocks_[static_cast<std::size_t>(BLOCK_SIZE) * pattern_.diagonal[row]]);
+  inverse_diagonal_[row].setZero();
+  inverse_diagonal_[row].topRows<3>() = (block.cast<double>() + coupled).inverse().cast<float>();
+}
+
+/// Must come before coupled_.multiplyRow.
+void IterativeSolver::stretchCouplings(const std::vector<Vec4f>& p) {
+  parallelFor(coupled_.count(), assembly_->threads(), [&](int c) { coupled_.stretch(c, p); });
 }
 
 SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
@@ -141,25 +159,31 @@ void IterativeSolver::guess(const Basis& basis) {
       basis_[j][i].head<3>() = (unit / scale_[i] * basis[j][pattern_.copies[i]]).cast<float>();
     });
   }
+  for (int j = 0; j < BASIS_SIZE && coupled_.count() > 0; ++j) {
+    stretchCouplings(basis_[j]);
+    parallelFor(pattern_.rows(), threads, [&](int i) { (*A_basis[j])[i] = coupled_.multiplyRow(i); });
+  }
   parallelFor(aggregates_.count(), threads, [&](int a) {
     BasisProducts& sum = products_[a];
     sum = BasisProducts();
     forEachRow(a, [&](int i) {
       for (int j = 0; j < BASIS_SIZE; ++j) {
-        const Vec4f A_u = (*A_basis[j])[i] = multiplyRow(pattern_, blocks_, i, basis_[j]);
+        Vec4f A_u = multiplyRow(pattern_, blocks_, i, basis_[j]);
+        if (coupled_.count() > 0) A_u += (*A_basis[j])[i];
+        (*A_basis[j])[i] = A_u;
         sum.h[j] += static_cast<double>(basis_[j][i].dot(r_[i]));
         for (int k = 0; k < BASIS_SIZE; ++k) sum.G(j, k) += static_cast<double>(A_u.dot(basis_[k][i]));
       }
     });
   });
-  combinations_.assign(pieces_, BasisProducts());
+  combinations_.assign(groups_, BasisProducts());
   for (int a = 0; a < aggregates_.count(); ++a) {
-    combinations_[piece_of_[a]].G += products_[a].G;
-    combinations_[piece_of_[a]].h += products_[a].h;
+    combinations_[group_of_[a]].G += products_[a].G;
+    combinations_[group_of_[a]].h += products_[a].h;
   }
   for (BasisProducts& sum : combinations_) sum.h = bestCombination(sum.G, sum.h);
   parallelFor(aggregates_.count(), threads, [&](int a) {
-    const Eigen::Matrix<float, BASIS_SIZE, 1> c = combinations_[piece_of_[a]].h.cast<float>();
+    const Eigen::Matrix<float, BASIS_SIZE, 1> c = combinations_[group_of_[a]].h.cast<float>();
     forEachRow(a, [&](int i) {
       y_[i].setZero();
       for (int j = 0; j < BASIS_SIZE; ++j) {
@@ -183,8 +207,10 @@ int IterativeSolver::iterate(double target) {
     rz = next_rz;
     if (!(rz > 0)) return iteration;
     parallelFor(rows, threads, [&](int i) { p_[i] = z_[i] + beta * p_[i]; });
+    if (coupled_.count() > 0) stretchCouplings(p_);
     const double pAp = sumOverRows(rows, threads, &terms_, [&](int i) {
-      const Vec4f Ap = multiplyRow(pattern_, blocks_, i, p_);
+      Vec4f Ap = multiplyRow(pattern_, blocks_, i, p_);
+      if (coupled_.count() > 0) Ap += coupled_.multiplyRow(i);
       Ap_[i] = Ap;
       return static_cast<double>(p_[i].dot(Ap));
     });

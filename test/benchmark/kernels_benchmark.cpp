@@ -125,8 +125,12 @@ void coarseMatrix(State& state) {
   const Matrix matrix(bar);
   CoarseSpace coarse;
   coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
-  measure(state, bar, bytesOf(matrix) + VECTOR * bar.copies(),
-          [&] { return secondsOf([&] { coarse.matrixChanged(bar.x, matrix.blocks, THREADS); }); });
+  measure(state, bar, bytesOf(matrix) + VECTOR * bar.copies(), [&] {
+    return secondsOf([&] {
+      coarse.matrixChanged(bar.x, matrix.blocks, THREADS);
+      coarse.couplingsChanged(CoupledRows(), THREADS);
+    });
+  });
 }
 
 /// Residual in, correction out.
@@ -136,6 +140,7 @@ void coarseSolve(State& state) {
   CoarseSpace coarse;
   coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
   coarse.matrixChanged(bar.x, matrix.blocks, THREADS);
+  coarse.couplingsChanged(CoupledRows(), THREADS);
   const std::vector<Vec4f> r(matrix.pattern.rows(), Vec4f(1, -2, 3, 0));
   std::vector<Vec4f> z(r.size());
   measure(state, bar, 2 * FLOAT_VECTOR * static_cast<double>(r.size()), [&] {
@@ -181,9 +186,14 @@ void choleskyFactor(State& state) {
   const Matrix matrix(bar);
   DirectSolver solver;
   const std::vector<int> nothing;
-  solver.systemChanged(bar.assembly, {bar.held, bar.piece, nothing}, bar.factors);
+  solver.systemChanged(bar.assembly, {bar.held, bar.piece, bar.piece, nothing}, bar.factors);
   const double bytes = (COPIES + REST + ROTATION) * bar.elements() + 2 * bytesOf(matrix);
-  measure(state, bar, bytes, [&] { return secondsOf([&] { solver.matrixChanged(bar.x); }); });
+  measure(state, bar, bytes, [&] {
+    return secondsOf([&] {
+      solver.matrixChanged(bar.x);
+      solver.couplingsChanged({}, TIME_STEP);
+    });
+  });
 }
 
 /// Positions in; vertices out.

@@ -26,6 +26,7 @@ TEST(CoarseSpace, AddsNothingOnceItsMatrixIsNotPositiveDefinite) {
   coarse.topologyChanged(pattern, aggregates, scale);
   const auto largestCorrection = [&] {
     coarse.matrixChanged(rig.motion.x, blocks, 1);
+    coarse.couplingsChanged(CoupledRows(), 1);
     for (int a = 0; a < aggregates.count(); ++a) coarse.restrictAggregate(a, r);
     coarse.solve();
     float largest = 0;

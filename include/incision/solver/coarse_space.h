@@ -1,9 +1,11 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "incision/fem/block_matrix.h"
 #include "incision/solver/aggregates.h"
+#include "incision/solver/coupled_rows.h"
 #include "incision/solver/sparse_cholesky.h"
 
 namespace incision {
@@ -15,8 +17,11 @@ class CoarseSpace {
   /// `scale` holds 1/√d of each row; pattern and aggregates must outlive this.
   void topologyChanged(const BlockPattern& pattern, const Aggregates& aggregates, const std::vector<double>& scale);
 
-  /// Takes the modes at the positions `x` [m] and factorises the coarse matrix of the scaled float blocks.
+  /// Takes the modes at the positions `x` [m] and the coarse matrix of the scaled float blocks.
   void matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads);
+
+  /// Adds the couplings to that in place of the last ones, and factorises it.
+  void couplingsChanged(const CoupledRows& couplings, int threads);
 
   /// Coarse right-hand side of one aggregate from the residual of its rows.
   void restrictAggregate(int aggregate, const std::vector<Vec4f>& r);
@@ -30,18 +35,34 @@ class CoarseSpace {
  private:
   using CoarseBlock = Eigen::Matrix<double, 6, 6>;
 
+  /// What a coupling sees of an aggregate's modes: Σ_i g_i Q_i = [a 1 | −[b]×] over its rows there.
+  struct CoarseEnd {
+    int aggregate, coupling;
+    double a;
+    Vec3 b;
+  };
+
   void findBlocks();
   void findUnknowns();
   void placeModes(int aggregate, const std::vector<Vec3>& x);
   void projectAggregate(int aggregate, const std::vector<float>& blocks);
+  int blockAt(int I, int J) const;
+  void findEnds(const CoupledRows& couplings);
+  void findPairs();
+  void addCouplings(int aggregate, const CoupledRows& couplings);
   bool factorise(double regularisation);
 
   const BlockPattern* pattern_ = nullptr;
   const Aggregates* aggregates_ = nullptr;
-  std::vector<Vec4f> arm_;                 // √d (x_i − c)/ρ and √d of each row
-  std::vector<int> block_start_, column_;  // coarse blocks (I, J ≤ I) by row I, columns ascending
-  std::vector<CoarseBlock> coarse_blocks_;
-  std::vector<int> source_;  // of each entry of the lower triangle, in coarse_blocks_
+  std::vector<Vec4f> arm_;                  // √d (x_i − c)/ρ and √d of each row
+  std::vector<int> block_start_, column_;   // coarse blocks (I, J ≤ I) by row I, columns ascending
+  std::vector<std::pair<int, int>> extra_;  // those that only couplings have needed, since the topology changed
+  std::vector<CoarseBlock> coarse_blocks_, uncoupled_blocks_;
+  bool coupled_ = false;         // coarse_blocks_ has couplings in it
+  std::vector<CoarseEnd> ends_;  // of coupling c: ends_[end_start_[c]] … ends_[end_start_[c + 1] − 1]
+  std::vector<int> end_start_;
+  std::vector<int> held_start_, held_;  // the ends in each aggregate
+  std::vector<int> source_;             // of each entry of the lower triangle, in coarse_blocks_
   std::vector<int> unknown_row_, unknown_column_;
   std::vector<double> unit_;  // 1/√diagonal of the coarse matrix
   std::vector<double> values_, right_, solution_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "incision/solver/linear_solver.h"
 #include "incision/solver/piece_norms.h"
 #include "incision/solver/sparse_cholesky.h"
@@ -10,19 +12,28 @@ namespace incision {
 class DirectSolver : public LinearSolver {
  public:
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
-  bool matrixChanged(const std::vector<Vec3>& x) override;
+  void matrixChanged(const std::vector<Vec3>& x) override;
+  bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) override;
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 
  private:
+  void analyse();
+  bool factorise(const std::vector<double>& blocks);
+  int blockAt(int row, int column) const;
+  void findBlocks(const std::vector<Coupling>& couplings);
+
   const Assembly* assembly_ = nullptr;
   SystemFactors factors_{};
   BlockPattern pattern_;
+  // Blocks beside the pattern's, row ≤ column, ascending: where couplings have been since the topology changed.
+  std::vector<std::pair<int, int>> extra_;
   PieceNorms norms_;
   std::vector<double> ones_;  // of each row
   std::vector<int> source_;   // of each entry of the lower triangle, in blocks_
   BlockAssembler<double> assembler_;
-  std::vector<double> blocks_, values_, b_, solution_;
+  std::vector<double> blocks_, coupled_blocks_;  // of the pattern; with the extra ones and the couplings
+  std::vector<double> values_, b_, solution_;
   SparseCholesky cholesky_;
   std::vector<Vec3> residual_;  // by copy
 };

@@ -39,9 +39,9 @@ class ImplicitStep {
   /// Forgets everything that came after the construction, as the mesh was replaced.
   void reset();
 
-  /// Advances from `time` by `time_step` [s]. Returns false, with the motion as it was, when the system cannot be
-  /// factorised or a value is not finite.
-  bool advance(double time, double time_step, Motion* motion);
+  /// Advances from `time` by `time_step` [s], under couplings where `couple` is given. Returns false, with the motion
+  /// as it was, when the system cannot be factorised or a value is not finite.
+  bool advance(double time, double time_step, Motion* motion, const Couple& couple = {});
 
   const Assembly& assembly() const { return assembly_; }
   const SolveStats& stats() const { return stats_; }
@@ -54,9 +54,13 @@ class ImplicitStep {
 
  private:
   void prepareMatrix(double time_step, const Motion& motion);
-  bool prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
+  void prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
+  bool solveCoupled(double time_step, const Motion& motion, const Couple& couple);
+  bool updateCouplings(double time_step, const Motion& motion, const Couple& couple);
+  bool joinGroups();
+  LinearSolver* current() { return fallback_steps_ > 0 ? fallback_.get() : solver_.get(); }
   void remember();
-  SolveStats solve(double time_step, const Motion& motion);
+  SolveStats solve(double time_step, const Motion& motion, const Basis& basis);
   void externalForces(double time);
   void residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r);
 
@@ -67,6 +71,7 @@ class ImplicitStep {
   std::unique_ptr<LinearSolver> solver_;
   std::vector<int> piece_;  // of each copy
   int pieces_ = 0;
+  std::vector<int> group_;  // of each copy: pieces that couplings have held together since the topology changed
   std::vector<int> held_nodes_, held_;          // hold of each node and copy, or −1
   std::vector<std::vector<Vec3>> load_forces_;  // of each load, by copy [N]
   bool topology_known_ = false, matrix_known_ = false;
@@ -75,8 +80,11 @@ class ImplicitStep {
   int fallback_steps_ = 0;                  // how many more steps it takes
   std::vector<int> touched_;                // since solver_ last looked
   std::vector<double> rounding_;
-  Basis basis_;  // of the first guess: the last Δv and its backward differences
-  std::vector<Vec3> dv_, external_, y_, inertia_;
+  Basis basis_;        // of the first guess: the last Δv and its backward differences
+  Basis again_basis_;  // the same for another solve in the same step
+  std::vector<Vec3> dv_, external_, y_, inertia_, v_end_;
+  std::vector<Coupling> couplings_;
+  bool was_coupled_ = false;  // the matrix that the solver knows holds couplings
   SolveStats stats_;
   StepTimes times_;
 };

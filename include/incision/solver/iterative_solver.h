@@ -16,12 +16,15 @@ class IterativeSolver : public LinearSolver {
   explicit IterativeSolver(double tolerance) : tolerance_(tolerance) {}
 
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
-  bool matrixChanged(const std::vector<Vec3>& x) override;
+  void matrixChanged(const std::vector<Vec3>& x) override;
+  bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) override;
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 
  private:
   bool floatIsTooCoarse(const std::vector<Vec3>& dv);
+  void stretchCouplings(const std::vector<Vec4f>& p);
+  void invertDiagonal(int row, const Mat3& coupled);
   void scaleResidual();
   void guess(const Basis& basis);
   int iterate(double target);
@@ -40,6 +43,7 @@ class IterativeSolver : public LinearSolver {
   std::vector<float> blocks_;
   std::vector<Eigen::Matrix<float, 4, 3>> inverse_diagonal_;
   CoarseSpace coarse_;
+  CoupledRows coupled_;
 
   std::vector<Vec3> residual_;  // by copy
   // Vectors of the iteration, by row, in the scaled unknowns over ‖b‖; their fourth entries are padding.
@@ -51,9 +55,9 @@ class IterativeSolver : public LinearSolver {
     BasisMatrix G = BasisMatrix::Zero();
     BasisVector h = BasisVector::Zero();  // then the combination
   };
-  std::vector<BasisProducts> products_, combinations_;  // of each aggregate, and of each piece
-  std::vector<int> piece_of_;                           // of each aggregate
-  int pieces_ = 0;
+  std::vector<BasisProducts> products_, combinations_;  // of each aggregate, and of each group
+  std::vector<int> group_of_;                           // of each aggregate
+  int groups_ = 0;
 };
 
 }  // namespace incision

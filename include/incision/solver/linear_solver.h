@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "incision/fem/block_matrix.h"
+#include "incision/solver/coupling.h"
 #include "incision/solver/first_guess.h"
 #include "incision/solver/settings.h"
 
@@ -26,10 +27,11 @@ using Residual = std::function<void(const std::vector<Vec3>& dv, std::vector<Vec
 struct SystemChange {
   const std::vector<bool>& held;    ///< of each copy, whether it is held now
   const std::vector<int>& piece;    ///< of each copy
+  const std::vector<int>& group;    ///< of each copy; couplings hold pieces of one group only
   const std::vector<int>& touched;  ///< nodes round which parts or copies have changed; without meaning the first time
 };
 
-/// Solves A Δv = b, A = mass M + stiffness K, for the free copies.
+/// Solves A Δv = b for the free copies; A = mass M + stiffness K and Δt² times the couplings' stiffness.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -37,8 +39,11 @@ class LinearSolver {
   /// Before anything else, after a cut and when the factors change; `assembly` must outlive the solver.
   virtual void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) = 0;
 
-  /// After the rotations changed; `x` are the copies' positions [m]. Returns false when A is not positive definite.
-  virtual bool matrixChanged(const std::vector<Vec3>& x) = 0;
+  /// After the rotations changed; `x` are the copies' positions [m]. couplingsChanged must follow.
+  virtual void matrixChanged(const std::vector<Vec3>& x) = 0;
+
+  /// After the couplings changed, those of a step of `time_step` [s]. Returns false when A is not positive definite.
+  virtual bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) = 0;
 
   /// Finds `dv`, which comes with the held copies' values. The solution is likely near a sum of multiples of the
   /// vectors in `basis`. `rounding` bounds what rounding does to the residual at each copy.

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "incision/mesh/tet_mesh.h"
+
+namespace incision {
+
+/// A linear spring that holds copies against each other or against something outside. With y = Σ_i weights[i] x_i the
+/// force F − K Δt ẏ acts on y at the end of a step, ẏ being of the velocities there; each copy feels weights[i] of it.
+struct Coupling {
+  std::array<int, 8> copies;  ///< the first `count` of them, each once
+  std::array<double, 8> weights;
+  int count = 0;
+  Mat3 stiffness = Mat3::Zero();  ///< K [N/m], symmetric, positive semidefinite
+  Vec3 force = Vec3::Zero();      ///< F [N], what it would be if nothing moved in the step
+
+  /// Adds to the weight of a copy.
+  void add(int copy, double weight) {
+    int i = 0;
+    while (i < count && copies[i] != copy) ++i;
+    if (i == count) weights[count++] = 0;
+    copies[i] = copy;
+    weights[i] += weight;
+  }
+};
+
+/// Writes the couplings of a step of `time_step` [s], for velocities at its end as far as they are known [m/s]: before
+/// the first solve they are a guess. Returns whether the couplings have changed so much that it takes another solve.
+using Couple = std::function<bool(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings)>;
+
+/// Adds Δt times the forces [N s] of the couplings at the velocities `v_end` at the end of the step.
+void addImpulses(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& v_end,
+                 std::vector<Vec3>* impulses);
+
+}  // namespace incision
