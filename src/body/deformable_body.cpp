@@ -24,7 +24,7 @@ constexpr double MAX_SWEEP_TURN = 0.1;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-ToolPose between(const ToolPose& a, const ToolPose& b, double s) {
+Pose between(const Pose& a, const Pose& b, double s) {
   return {(1 - s) * a.position + s * b.position, a.orientation.slerp(s, b.orientation)};
 }
 
@@ -73,11 +73,11 @@ struct DeformableBody::State {
   void start();
   void topologyChanged(const std::vector<int>& touched = {});
   CutResult cut(const PlaneCut& plane);
-  std::optional<CutResult> moveTool(const ToolPose& pose);
+  std::optional<CutResult> moveTool(const Pose& pose);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
   bool advanceInHalves(double time, double time_step);
-  std::optional<ToolPose> scenePose() const;
+  std::optional<Pose> scenePose() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
 
   Scene scene;
@@ -88,7 +88,7 @@ struct DeformableBody::State {
   std::deque<ScheduledCut> scheduled;                             // by time; equal times in the order they came
   Edge edge;                                                      // of the blade, in its link's frame
   double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
-  std::optional<ToolPose> tool_pose;
+  std::optional<Pose> tool_pose;
   Stroke stroke;
   CutResult stroke_result;
   std::uint64_t topology_version = 0;
@@ -148,9 +148,9 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
   return result;
 }
 
-std::optional<CutResult> DeformableBody::State::moveTool(const ToolPose& pose) {
+std::optional<CutResult> DeformableBody::State::moveTool(const Pose& pose) {
   if (tool_pose && movedLess(placed(edge, *tool_pose), placed(edge, pose), least_motion)) return std::nullopt;
-  const std::optional<ToolPose> last = std::exchange(tool_pose, pose);
+  const std::optional<Pose> last = std::exchange(tool_pose, pose);
   if (!last) return std::nullopt;
   const auto start_time = Clock::now();
   const int sweeps = 1 + static_cast<int>(last->orientation.angularDistance(pose.orientation) / MAX_SWEEP_TURN);
@@ -186,13 +186,13 @@ std::optional<CutResult> DeformableBody::State::endStroke() {
 }
 
 /// The scene's tool pose at the current time, if it gives one.
-std::optional<ToolPose> DeformableBody::State::scenePose() const {
+std::optional<Pose> DeformableBody::State::scenePose() const {
   if (!scene.tool || scene.tool->poses.empty()) return std::nullopt;
-  const std::vector<TimedToolPose>& poses = scene.tool->poses;
+  const std::vector<TimedPose>& poses = scene.tool->poses;
   const double now = time();
   if (now < poses.front().time - DUE_TOLERANCE || now > poses.back().time + DUE_TOLERANCE) return std::nullopt;
-  const auto after = std::lower_bound(poses.begin(), poses.end(), now,
-                                      [](const TimedToolPose& pose, double t) { return pose.time < t; });
+  const auto after =
+      std::lower_bound(poses.begin(), poses.end(), now, [](const TimedPose& pose, double t) { return pose.time < t; });
   if (after == poses.begin()) return poses.front().pose;
   if (after == poses.end()) return poses.back().pose;
   const auto previous = after - 1;
@@ -205,7 +205,7 @@ void DeformableBody::State::applyDue(StepResult* result) {
     scheduled.pop_front();
     result->cuts.push_back(cut(plane));
   }
-  if (const std::optional<ToolPose> pose = scenePose())
+  if (const std::optional<Pose> pose = scenePose())
     if (const std::optional<CutResult> ended = moveTool(*pose)) result->cuts.push_back(*ended);
 }
 
@@ -254,7 +254,7 @@ void DeformableBody::schedule(const ScheduledCut& cut) {
   scheduled.insert(later, cut);
 }
 
-std::optional<CutResult> DeformableBody::moveTool(const ToolPose& pose) { return state_->moveTool(pose); }
+std::optional<CutResult> DeformableBody::moveTool(const Pose& pose) { return state_->moveTool(pose); }
 
 std::optional<CutResult> DeformableBody::liftTool() {
   state_->tool_pose.reset();

@@ -23,6 +23,9 @@ constexpr Range NOT_NEGATIVE = {0};
 // A simulated time [s]: some thirty years, so that a time over the shortest step still counts exactly in a double.
 constexpr Range TIME = {0, 1e9};
 
+// Rubber on rubber has some 1.2; a material that clings has more. Above 10 nothing slides that would not stick.
+constexpr Range FRICTION = {0, 10};
+
 constexpr Range TIME_STEP = {1e-6, 1};
 constexpr Range TOLERANCE = {1e-12, 1e-1};
 constexpr int MAX_THREADS = 64;
@@ -140,10 +143,20 @@ ScheduledCut parseCut(const YamlValue& value) {
   return cut;
 }
 
-TimedToolPose parsePose(const YamlValue& value) {
+ContactSettings parseContact(const YamlValue& value, const std::string& folder) {
+  const YamlMap map = value.map({"ground", "obstacles", "friction", "self"});
+  ContactSettings contact;
+  if (const auto ground = map.find("ground")) contact.ground = ground->number();
+  if (const auto obstacles = map.find("obstacles")) contact.obstacles = parsePath(*obstacles, folder);
+  contact.friction = map.number("friction", contact.friction, FRICTION);
+  if (const auto self = map.find("self")) contact.self = self->boolean();
+  return contact;
+}
+
+TimedPose parsePose(const YamlValue& value) {
   const std::vector<YamlValue> entries = value.list(8);
   const auto at = [&](int i) { return entries[static_cast<std::size_t>(i)].number(); };
-  TimedToolPose timed;
+  TimedPose timed;
   timed.time = entries[0].number(TIME);
   timed.pose.position = Vec3(at(1), at(2), at(3));
   timed.pose.orientation = Eigen::Quaterniond(at(7), at(4), at(5), at(6));
@@ -156,10 +169,10 @@ TimedToolPose parsePose(const YamlValue& value) {
   return timed;
 }
 
-std::vector<TimedToolPose> parsePoses(const std::vector<YamlValue>& values) {
-  std::vector<TimedToolPose> poses;
+std::vector<TimedPose> parsePoses(const std::vector<YamlValue>& values) {
+  std::vector<TimedPose> poses;
   for (const YamlValue& value : values) {
-    const TimedToolPose timed = parsePose(value);
+    const TimedPose timed = parsePose(value);
     if (!poses.empty() && timed.time <= poses.back().time) {
       value.fail("not later than the pose before it (allowed: ascending times)");
     }
@@ -186,7 +199,7 @@ ToolSettings parseTool(const YamlValue& value, const std::string& folder) {
 }
 
 Scene parseSections(const YamlValue& root, const std::string& folder) {
-  const YamlMap map = root.map({"body", "gravity", "boundary", "loads", "solver", "cuts", "tool"});
+  const YamlMap map = root.map({"body", "gravity", "boundary", "loads", "solver", "cuts", "contact", "tool"});
   Scene scene;
   scene.body = parseBody(map.at("body"), folder);
   scene.gravity = map.vector("gravity", scene.gravity);
@@ -194,6 +207,7 @@ Scene parseSections(const YamlValue& root, const std::string& folder) {
   for (const YamlValue& load : map.list("loads")) scene.loads.push_back(parseLoad(load));
   if (const auto solver = map.find("solver")) scene.solver = parseSolver(*solver);
   for (const YamlValue& cut : map.list("cuts")) scene.cuts.push_back(parseCut(cut));
+  if (const auto contact = map.find("contact")) scene.contact = parseContact(*contact, folder);
   if (const auto tool = map.find("tool")) scene.tool = parseTool(*tool, folder);
   return scene;
 }

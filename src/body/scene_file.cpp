@@ -81,4 +81,8 @@ std::string loadDescription(const Scene& scene) {
   return scene.tool && !scene.tool->edge ? readText(scene.tool->description) : "";
 }
 
+std::string loadObstacleDescription(const Scene& scene) {
+  return scene.contact && !scene.contact->obstacles.empty() ? readText(scene.contact->obstacles) : "";
+}
+
 }  // namespace incision

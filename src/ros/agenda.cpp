@@ -32,7 +32,7 @@ std::optional<PlaneCut> Agenda::add(const PlaneCut& plane, Nanoseconds stamp) {
   return last;
 }
 
-void Agenda::add(const ToolPose& pose, Nanoseconds stamp) {
+void Agenda::add(const Pose& pose, Nanoseconds stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
   insert(poses_, pose, stamp);
   if (poses_.size() > MAX_WAITING_POSES) thinPoses();
@@ -53,7 +53,7 @@ std::vector<PlaneCut> Agenda::takeCuts(Nanoseconds time) {
   return take(cuts_, time);
 }
 
-std::vector<ToolPose> Agenda::takePoses(Nanoseconds time) {
+std::vector<Pose> Agenda::takePoses(Nanoseconds time) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return take(poses_, time);
 }

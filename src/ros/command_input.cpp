@@ -73,7 +73,7 @@ void CommandInput::release(const Command& command) {
     if (const auto left_out = agenda_.add(*plane, stamp))
       reporter_.refuseCut(left_out->label, {Refusal::TOO_MANY, "too many cuts wait for their step"});
   } else {
-    agenda_.add(std::get<ToolPose>(command.action), stamp);
+    agenda_.add(std::get<Pose>(command.action), stamp);
   }
   wakeup_.notify();
 }

@@ -39,7 +39,7 @@ Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& q) {
 
 }  // namespace
 
-ToolPose toToolPose(const geometry_msgs::Pose& pose) { return {toVec3(pose.position), toQuaternion(pose.orientation)}; }
+Pose toPose(const geometry_msgs::Pose& pose) { return {toVec3(pose.position), toQuaternion(pose.orientation)}; }
 
 Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
   return Eigen::Translation3d(toVec3(transform.translation)) * toQuaternion(transform.rotation);
@@ -53,7 +53,7 @@ PlaneCut transformed(const PlaneCut& plane, const Eigen::Isometry3d& to_frame) {
   return result;
 }
 
-ToolPose transformed(const ToolPose& pose, const Eigen::Isometry3d& to_frame) {
+Pose transformed(const Pose& pose, const Eigen::Isometry3d& to_frame) {
   return {to_frame * pose.position, (Eigen::Quaterniond(to_frame.linear()) * pose.orientation).normalized()};
 }
 

@@ -81,9 +81,9 @@ bool IncisionNode::stepDue() {
 bool IncisionNode::applyCommands(bool step_due) {
   const Nanoseconds time = paused_ ? pacer_->clock() : step_due ? pacer_->nextStart() : 0;
   const std::vector<PlaneCut> cuts = agenda_.takeCuts(time);
-  const std::vector<ToolPose> poses = agenda_.takePoses(time);
+  const std::vector<Pose> poses = agenda_.takePoses(time);
   for (const PlaneCut& plane : cuts) applyCut(plane);
-  for (const ToolPose& pose : poses) applyPose(pose);
+  for (const Pose& pose : poses) applyPose(pose);
   return !cuts.empty() || !poses.empty();
 }
 
@@ -95,7 +95,7 @@ void IncisionNode::applyCut(const PlaneCut& plane) {
   }
 }
 
-void IncisionNode::applyPose(const ToolPose& pose) {
+void IncisionNode::applyPose(const Pose& pose) {
   try {
     if (const auto stroke = body_.moveTool(pose)) reporter_.report(*stroke);
   } catch (const std::exception& error) {

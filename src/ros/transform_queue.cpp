@@ -9,7 +9,7 @@ namespace {
 
 ros::Time toRos(Nanoseconds stamp) { return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp)); }
 
-bool isPose(const Command& command) { return std::holds_alternative<ToolPose>(command.action); }
+bool isPose(const Command& command) { return std::holds_alternative<Pose>(command.action); }
 
 Command inBodyFrame(Command command, const std::string& body_frame, const Eigen::Isometry3d& to_body) {
   std::visit([&](auto& action) { action = transformed(action, to_body); }, command.action);

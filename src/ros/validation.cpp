@@ -61,7 +61,7 @@ Command toCommand(const CutPlane& message, const std::string& body_frame, Steady
 }
 
 Command toCommand(const geometry_msgs::PoseStamped& message, const std::string& body_frame, SteadyTime received) {
-  return toCommand(toToolPose(message.pose), message.header, body_frame, received);
+  return toCommand(toPose(message.pose), message.header, body_frame, received);
 }
 
 }  // namespace incision

@@ -69,6 +69,7 @@ loads:
 solver: {time_step: 0.005, method: iterative, tolerance: 1.0e-8, threads: 3}
 cuts:
   - {time: 0.25, label: first, point: [0.5, 0, 0], normal: [1, 0, 0], tangent: [0, 1, 0], length: 2, width: 3}
+contact: {ground: -0.5, obstacles: room.urdf, friction: 0.7, self: false}
 tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0, 0, 1], [1, 1, 2, 3, 0, 0, 1, 0]]}
 )");
   EXPECT_EQ(scene.body.grid->cells, (std::array<int, 3>{16, 4, 2}));
@@ -102,6 +103,11 @@ tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0,
   EXPECT_EQ(scene.cuts[0].plane.tangent, Vec3(0, 1, 0));
   EXPECT_EQ(scene.cuts[0].plane.length, 2);
   EXPECT_EQ(scene.cuts[0].plane.width, 3);
+  ASSERT_TRUE(scene.contact);
+  EXPECT_EQ(scene.contact->ground, -0.5);
+  EXPECT_EQ(scene.contact->obstacles, "/folder/room.urdf");
+  EXPECT_EQ(scene.contact->friction, 0.7);
+  EXPECT_FALSE(scene.contact->self);
   ASSERT_TRUE(scene.tool && scene.tool->edge);
   EXPECT_EQ((*scene.tool->edge)[1], Vec3(0, 0, 0.1));
   ASSERT_EQ(scene.tool->poses.size(), 2u);
@@ -110,12 +116,16 @@ tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0,
 }
 
 TEST(Scene, WhatIsNotGivenKeepsTheStagesDefault) {
-  const Scene scene = parse(BODY + "loads:\nsolver:\n");
+  const Scene scene = parse(BODY + "loads:\nsolver:\ncontact:\n");
   EXPECT_EQ(scene.body.material.young_modulus, Material().young_modulus);
   EXPECT_EQ(scene.solver.time_step, SolverSettings().time_step);
   EXPECT_EQ(scene.gravity, Scene().gravity);
   EXPECT_EQ(scene.body.frame, "body");
   EXPECT_TRUE(scene.boundary.empty() && scene.loads.empty() && scene.cuts.empty());
+  ASSERT_TRUE(scene.contact);
+  EXPECT_FALSE(scene.contact->ground);
+  EXPECT_TRUE(scene.contact->obstacles.empty() && scene.contact->self);
+  EXPECT_EQ(scene.contact->friction, ContactSettings().friction);
   EXPECT_FALSE(scene.tool);
 }
 
@@ -217,6 +227,19 @@ INSTANTIATE_TEST_SUITE_P(
         inTool("edge: [[0, 0, 0], [0, 0, 1]], poses: [[0, 0, 0, 0, 0, 0, 0, 0]]", ".poses.0"),
         inTool("edge: [[0, 0, 0], [0, 0, 1]], poses: [[0, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]", ".poses.1"),
         inScene("tool: {description: a.urdf}", "tool: the key link is missing")));
+
+INSTANTIATE_TEST_SUITE_P(
+    Contact, RefusedScene,
+    ::testing::Values(inScene("contact: {ground: .inf}", "contact.ground"),
+                      inScene("contact: {ground: low}", "contact.ground"),
+                      inScene("contact: {friction: -0.1}", "contact.friction: '-0.1' (allowed: 0 to 10)"),
+                      inScene("contact: {friction: 11}", "contact.friction"),
+                      inScene("contact: {friction: .nan}", "contact.friction"),
+                      inScene("contact: {self: 1}", "contact.self"),
+                      inScene("contact: {obstacles: ''}", "contact.obstacles"),
+                      inScene("contact: {obstacles: 'http://a/b.urdf'}", "contact.obstacles"),
+                      inScene("contact: {grund: 0}", "contact.grund: unknown key, did you mean ground?"),
+                      inScene("contact: [0]", "contact")));
 
 TEST(Scene, QuaternionsAreMadeUnitLength) {
   const Scene scene = parse(BODY + "tool: {edge: [[0, 0, 0], [0, 0, 1]], poses: [[0, 0, 0, 0, 0, 0, 0.7071, 0.7071]]}");

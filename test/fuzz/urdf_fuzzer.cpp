@@ -1,19 +1,56 @@
-// Whatever a tool's description is, reading it gives an edge with two finite ends or an InputError.
+// Whatever a description is, reading it gives an edge with two finite ends or an InputError, and obstacles that are
+// solid and somewhere or an InputError.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
+#include "incision/contact/obstacles.h"
 #include "incision/mesh/input_error.h"
 #include "incision/tool/blade.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  incision::ToolSettings tool;
+namespace {
+
+using namespace incision;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void readTool(const std::string& urdf) {
+  ToolSettings tool;
   tool.link = "blade";
-  try {
-    const incision::Edge edge =
-        incision::bladeEdge(tool, std::string(reinterpret_cast<const char*>(data), size), "tool.urdf");
-    if (!edge[0].allFinite() || !edge[1].allFinite() || edge[0] == edge[1]) std::abort();
-  } catch (const incision::InputError&) {
+  const Edge edge = bladeEdge(tool, urdf, "tool.urdf");
+  require(edge[0].allFinite() && edge[1].allFinite() && edge[0] != edge[1]);
+}
+
+bool isSolid(const Shape& shape) {
+  const Vec3& size = shape.size;
+  if (shape.kind == ShapeKind::BOX) return size.allFinite() && (size.array() > 0).all();
+  return size.allFinite() && size[0] > 0 && (shape.kind == ShapeKind::SPHERE || size[2] > 0);
+}
+
+bool isSomewhere(const Pose& pose) { return pose.position.allFinite() && std::abs(pose.orientation.norm() - 1) < 1e-9; }
+
+void readObstacles(const std::string& urdf) {
+  ContactSettings settings;
+  settings.obstacles = "obstacles.urdf";
+  const Obstacles obstacles = loadObstacles(settings, urdf, settings.obstacles);
+  require(!obstacles.shapes.empty());
+  for (const Obstacle& obstacle : obstacles.shapes) {
+    require(isSolid(obstacle.shape) && isSomewhere(obstacle.pose));
+    require(isSomewhere(obstacles.links.at(static_cast<std::size_t>(obstacle.link)).pose));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string urdf(reinterpret_cast<const char*>(data), size);
+  for (const auto read : {readTool, readObstacles}) {
+    try {
+      read(urdf);
+    } catch (const InputError&) {
+    }
   }
   return 0;
 }

@@ -11,7 +11,7 @@ PlaneCut labelled(const std::string& label) {
   return plane;
 }
 
-ToolPose at(double x) { return {Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}; }
+Pose at(double x) { return {Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}; }
 
 TEST(Agenda, CommandsComeInTheOrderOfStampsThenOfArrival) {
   Agenda agenda;
@@ -52,7 +52,7 @@ TEST(Agenda, ALongPathKeepsItsShape) {
   Agenda agenda;
   const int count = 3 * MAX_WAITING_POSES;
   for (int i = 0; i < count; ++i) agenda.add(at(i), 0);
-  const std::vector<ToolPose> path = agenda.takePoses(0);
+  const std::vector<Pose> path = agenda.takePoses(0);
   EXPECT_LE(path.size(), MAX_WAITING_POSES);
   EXPECT_EQ(count, static_cast<int>(path.size() + agenda.thinned()));
   EXPECT_EQ(0, path.front().position.x());

@@ -19,7 +19,7 @@ struct TransformQueueTest : testing::Test {
     return {plane, frame, stamp, START};
   }
   Command pose(double x, const std::string& frame, Nanoseconds stamp = 0) {
-    return {ToolPose{Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}, frame, stamp, START};
+    return {Pose{Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}, frame, stamp, START};
   }
   /// The frame `knife` lies one metre along y, at this time.
   void publishKnife(double time) {
@@ -88,8 +88,8 @@ TEST_F(TransformQueueTest, PosesOfOneFrameKeepTheirOrder) {
   publishKnife(11);
   queue.poll(START);
   ASSERT_EQ(3u, released.size());
-  EXPECT_EQ(1, std::get<ToolPose>(released[1].action).position.x());
-  EXPECT_EQ(2, std::get<ToolPose>(released[2].action).position.x());
+  EXPECT_EQ(1, std::get<Pose>(released[1].action).position.x());
+  EXPECT_EQ(2, std::get<Pose>(released[2].action).position.x());
 }
 
 TEST_F(TransformQueueTest, UnknownFramesMakeRoomForKnownOnes) {

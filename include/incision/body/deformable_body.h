@@ -76,7 +76,7 @@ class DeformableBody {
 
   /// Sweeps the blade from its last pose to this one, cutting what it crosses; the first pose only places it. Returns a
   /// result when the blade has left the body and so ended a stroke that cut something. Needs a scene with a tool.
-  std::optional<CutResult> moveTool(const ToolPose& pose);
+  std::optional<CutResult> moveTool(const Pose& pose);
 
   /// Forgets where the blade was, so that the next pose only places it; ends the stroke under way.
   std::optional<CutResult> liftTool();

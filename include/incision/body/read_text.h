@@ -5,7 +5,7 @@
 
 namespace incision {
 
-/// A scene or a tool's description is refused beyond this size [bytes]: what people write is a hundredth of it, and
+/// A scene or a description is refused beyond this size [bytes]: what people write is a hundredth of it, and
 /// their parsers take memory and stack in proportion.
 inline constexpr std::size_t MAX_TEXT = std::size_t{1} << 20;
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "incision/contact/settings.h"
 #include "incision/cut/crack.h"
 #include "incision/fem/boundary.h"
 #include "incision/fem/mass.h"
@@ -44,6 +45,7 @@ struct Scene {
   std::vector<Load> loads;
   SolverSettings solver;
   std::vector<ScheduledCut> cuts;
+  std::optional<ContactSettings> contact;  ///< absent: the body touches nothing, not even itself
   std::optional<ToolSettings> tool;
 };
 
@@ -64,5 +66,8 @@ TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs = nullptr);
 
 /// Text of the tool's description where the scene's tool needs one to know its edge, else empty.
 std::string loadDescription(const Scene& scene);
+
+/// Text of the obstacles' description where the scene names one, else empty.
+std::string loadObstacleDescription(const Scene& scene);
 
 }  // namespace incision

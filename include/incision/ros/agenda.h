@@ -22,11 +22,11 @@ class Agenda {
  public:
   /// When the agenda is full, the cut with the latest stamp is put out and returned.
   std::optional<PlaneCut> add(const PlaneCut& plane, Nanoseconds stamp);
-  void add(const ToolPose& pose, Nanoseconds stamp);
+  void add(const Pose& pose, Nanoseconds stamp);
 
   /// What is stamped up to `time`, in order.
   std::vector<PlaneCut> takeCuts(Nanoseconds time);
-  std::vector<ToolPose> takePoses(Nanoseconds time);
+  std::vector<Pose> takePoses(Nanoseconds time);
 
   /// Empties the agenda; returns the cuts that will not be made.
   std::vector<PlaneCut> clear();
@@ -50,7 +50,7 @@ class Agenda {
 
   mutable std::mutex mutex_;
   std::deque<Entry<PlaneCut>> cuts_;
-  std::deque<Entry<ToolPose>> poses_;
+  std::deque<Entry<Pose>> poses_;
   std::int64_t arrivals_ = 0;
   Nanoseconds taken_ = 0;
   std::uint64_t late_ = 0, thinned_ = 0;

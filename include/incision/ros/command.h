@@ -17,7 +17,7 @@ using SteadyTime = std::chrono::steady_clock::time_point;
 using Nanoseconds = std::int64_t;
 
 /// What a message asks for.
-using Action = std::variant<PlaneCut, ToolPose>;
+using Action = std::variant<PlaneCut, Pose>;
 
 /// A message that passed validation.
 struct Command {

@@ -20,13 +20,13 @@ geometry_msgs::Vector3 toVector3(const Vec3& v);
 /// As the message stands, in the message's frame; nothing is checked.
 PlaneCut toPlaneCut(const CutPlane& message);
 /// The same; the quaternion is normalised.
-ToolPose toToolPose(const geometry_msgs::Pose& pose);
+Pose toPose(const geometry_msgs::Pose& pose);
 
 Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform);
 
 /// The same plane, or pose, seen from the frame that `to_frame` maps into.
 PlaneCut transformed(const PlaneCut& plane, const Eigen::Isometry3d& to_frame);
-ToolPose transformed(const ToolPose& pose, const Eigen::Isometry3d& to_frame);
+Pose transformed(const Pose& pose, const Eigen::Isometry3d& to_frame);
 
 /// All but the header.
 CutReport toReport(const CutResult& result);

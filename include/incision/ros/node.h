@@ -37,7 +37,7 @@ class IncisionNode {
 
   bool applyCommands(bool step_due);
   void applyCut(const PlaneCut& plane);
-  void applyPose(const ToolPose& pose);
+  void applyPose(const Pose& pose);
   bool stepDue();
   void step();
   void stepFailed(const std::string& why);

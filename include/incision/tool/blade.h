@@ -1,34 +1,28 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "incision/mesh/tet_mesh.h"
+#include "incision/contact/pose.h"
 
 namespace incision {
 
 /// A pose of the tool's blade link in the body's frame.
-struct ToolPose {
-  Vec3 position = Vec3::Zero();  ///< [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-};
-
-struct TimedToolPose {
+struct TimedPose {
   double time = 0;  ///< [s]
-  ToolPose pose;
+  Pose pose;
 };
 
 /// A cutting edge: its two ends [m].
 using Edge = std::array<Vec3, 2>;
 
 struct ToolSettings {
-  std::string description;   ///< URDF file; may be empty when `edge` is given
-  std::string link;          ///< the blade's link
-  std::optional<Edge> edge;  ///< in the link's frame; absent: the longest edge of the link's first collision box
-  std::vector<TimedToolPose> poses;  ///< ascending times; between them the pose is interpolated
+  std::string description;       ///< URDF file; may be empty when `edge` is given
+  std::string link;              ///< the blade's link
+  std::optional<Edge> edge;      ///< in the link's frame; absent: the longest edge of the link's first collision box
+  std::vector<TimedPose> poses;  ///< ascending times; between them the pose is interpolated
 };
 
 /// The cutting edge in the blade link's frame: the tool's own, or else the longest edge of the link's first collision
@@ -38,6 +32,6 @@ struct ToolSettings {
 Edge bladeEdge(const ToolSettings& tool, const std::string& urdf, const std::string& name);
 
 /// The edge carried to a pose.
-Edge placed(const Edge& edge, const ToolPose& pose);
+Edge placed(const Edge& edge, const Pose& pose);
 
 }  // namespace incision

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incision/contact/pose.h"
+#include "incision/contact/settings.h"
+#include "incision/contact/shape.h"
+
+namespace incision {
+
+/// `Obstacle::link` of the ground, which belongs to no link and never moves.
+inline constexpr int GROUND_LINK = -1;
+
+/// A rigid shape that the body cannot enter.
+struct Obstacle {
+  Shape shape;
+  Pose pose;  ///< in its link's frame; the ground's in the body's
+  int link = GROUND_LINK;
+};
+
+struct ObstacleLink {
+  std::string name;  ///< also that of its tf frame
+  Pose pose;         ///< in the body's frame, as described
+};
+
+struct Obstacles {
+  std::vector<ObstacleLink> links;  ///< those that have shapes
+  std::vector<Obstacle> shapes;
+};
+
+/// Most collision shapes of a description. Each is held against the whole body in each step, and a robot in a
+/// furnished room has a tenth of it.
+inline constexpr std::size_t MAX_OBSTACLES = 1000;
+
+/// The ground, and all collision shapes of the description where the settings name one. Its root link stands at the
+/// origin of the body's frame, and all joints at 0. `urdf` is the text of the description, `name` what errors call it.
+/// Throws InputError when the description is unreadable or hostile, when it has no collision shape or too many, or one
+/// that is a mesh, has a size that is not positive, or lies out of range.
+Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name);
+
+}  // namespace incision

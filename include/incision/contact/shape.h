@@ -1,0 +1,28 @@
+#pragma once
+
+#include "incision/mesh/tet_mesh.h"
+
+namespace incision {
+
+/// HALF_SPACE is all of z ≤ 0; the others are centred on the origin, the cylinder's axis along z.
+enum class ShapeKind { HALF_SPACE, SPHERE, BOX, CYLINDER };
+
+/// A rigid solid in its own frame.
+struct Shape {
+  ShapeKind kind = ShapeKind::HALF_SPACE;
+  /// [m], above 0 where it means something. Box: edge lengths; sphere: radius in [0]; cylinder: radius in [0], length
+  /// in [2]; half space: none.
+  Vec3 size = Vec3::Zero();
+};
+
+struct ShapeDistance {
+  double distance = 0;          ///< of the point from the nearest point of the surface [m], negative inside
+  Vec3 normal = Vec3::UnitZ();  ///< the surface's outward unit normal there; at an edge or a corner, towards the point
+};
+
+/// Where a finite point, given in the shape's frame, lies against the shape. The normal is the distance's gradient
+/// where it has one; where several surface points are equally near, as at a centre or on an axis, it is that of one of
+/// them.
+ShapeDistance distanceTo(const Shape& shape, const Vec3& point);
+
+}  // namespace incision

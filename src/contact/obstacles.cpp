@@ -1,0 +1,50 @@
+#include "incision/contact/obstacles.h"
+
+#include "incision/contact/description.h"
+#include "incision/mesh/input_error.h"
+
+namespace incision {
+
+namespace {
+
+void checkObstacle(const DescribedShape& shape, const std::string& where) {
+  if (shape.is_mesh) throw InputError(where + ": a mesh as collision shape (allowed: sphere, box, cylinder)");
+  checkShape(shape, where);
+}
+
+void addLink(const DescribedLink& link, const std::string& where, Obstacles* obstacles) {
+  if (!link.fault.empty()) throw InputError(where + ": " + link.fault);
+  if (link.shapes.empty()) return;
+  checkPose(link.pose, where);
+  const int index = static_cast<int>(obstacles->links.size());
+  obstacles->links.push_back({link.name, link.pose});
+  for (const DescribedShape& shape : link.shapes) {
+    checkObstacle(shape, where);
+    obstacles->shapes.push_back({shape.shape, shape.pose, index});
+  }
+}
+
+Obstacle groundAt(double height) {
+  Obstacle ground;
+  ground.pose.position.z() = height;
+  return ground;
+}
+
+}  // namespace
+
+Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name) {
+  Obstacles obstacles;
+  if (!settings.obstacles.empty()) {
+    for (const DescribedLink& link : parseDescription(urdf, name))
+      addLink(link, linkInMessage(name, link.name), &obstacles);
+    const std::size_t count = obstacles.shapes.size();
+    if (count == 0 || count > MAX_OBSTACLES) {
+      throw InputError(name + ": " + std::to_string(count) + " collision shapes (allowed: 1 to " +
+                       std::to_string(MAX_OBSTACLES) + ")");
+    }
+  }
+  if (settings.ground) obstacles.shapes.push_back(groundAt(*settings.ground));
+  return obstacles;
+}
+
+}  // namespace incision

@@ -1,0 +1,65 @@
+#include "incision/contact/shape.h"
+
+#include <cmath>
+
+namespace incision {
+namespace {
+
+template <int N>
+using Vec = Eigen::Matrix<double, N, 1>;
+
+/// The unit vector along `v`, also where its square would vanish; `otherwise` where `v` is zero.
+template <int N>
+Vec<N> directionOf(const Vec<N>& v, const Vec<N>& otherwise) {
+  const double scale = v.cwiseAbs().maxCoeff();
+  return scale > 0 ? (v / scale).normalized() : otherwise;
+}
+
+/// Signed distance and outward normal of the box, or rectangle, that reaches from −half to half.
+template <int N>
+std::pair<double, Vec<N>> distanceToBox(const Vec<N>& half, const Vec<N>& point) {
+  const Vec<N> beyond = point.cwiseAbs() - half;  // of each pair of faces; negative between them
+  int nearest = 0;
+  const double depth = beyond.maxCoeff(&nearest);
+  const Vec<N> normal =
+      directionOf<N>(beyond.cwiseMax(0), Vec<N>::Unit(nearest));  // of the mirror image in x, y, z > 0
+  const Vec<N> side = point.unaryExpr([](double x) { return std::copysign(1.0, x); });
+  return {depth > 0 ? beyond.cwiseMax(0).stableNorm() : depth, side.cwiseProduct(normal)};
+}
+
+ShapeDistance distanceToSphere(double radius, const Vec3& point) {
+  return {point.stableNorm() - radius, directionOf<3>(point, Vec3::UnitZ())};
+}
+
+ShapeDistance distanceToBox(const Vec3& size, const Vec3& point) {
+  const auto [distance, normal] = distanceToBox<3>(size / 2, point);
+  return {distance, normal};
+}
+
+/// A rectangle, in the plane through the axis and the point.
+ShapeDistance distanceToCylinder(double radius, double length, const Vec3& point) {
+  using Eigen::Vector2d;
+  const Vector2d across = point.head<2>();
+  const Vector2d radial = directionOf<2>(across, Vector2d::UnitX());
+  const auto [distance, normal] =
+      distanceToBox<2>(Vector2d(radius, length / 2), Vector2d(across.stableNorm(), point.z()));
+  return {distance, {normal[0] * radial[0], normal[0] * radial[1], normal[1]}};
+}
+
+}  // namespace
+
+ShapeDistance distanceTo(const Shape& shape, const Vec3& point) {
+  switch (shape.kind) {
+    case ShapeKind::SPHERE:
+      return distanceToSphere(shape.size[0], point);
+    case ShapeKind::BOX:
+      return distanceToBox(shape.size, point);
+    case ShapeKind::CYLINDER:
+      return distanceToCylinder(shape.size[0], shape.size[2], point);
+    case ShapeKind::HALF_SPACE:
+      break;
+  }
+  return {point.z(), Vec3::UnitZ()};
+}
+
+}  // namespace incision
