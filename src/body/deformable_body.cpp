@@ -71,11 +71,14 @@ struct DeformableBody::State {
   }
 
   void start();
+  void placeNewCopies();
   void topologyChanged(const std::vector<int>& touched = {});
+  CrackField fieldOf(const PlaneCut& plane) const;
   CutResult cut(const PlaneCut& plane);
   std::optional<CutResult> moveTool(const Pose& pose);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
+  void fracture(StepResult* result);
   bool advanceInHalves(double time, double time_step);
   std::optional<Pose> scenePose() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
@@ -89,6 +92,7 @@ struct DeformableBody::State {
   Edge edge;                                                      // of the blade, in its link's frame
   double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
   std::optional<Pose> tool_pose;
+  std::optional<CrackGrowth> growth;  // where the scene lets the body break
   Stroke stroke;
   CutResult stroke_result;
   std::uint64_t topology_version = 0;
@@ -107,17 +111,56 @@ void DeformableBody::State::start() {
   tool_pose.reset();
   stroke = Stroke();
   stroke_result = CutResult();
+  if (scene.fracture) growth.emplace(*scene.fracture);
   topologyChanged();
 }
 
 /// New copies start where their parent is, and move as it does.
-void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
+void DeformableBody::State::placeNewCopies() {
   for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
     motion.x.push_back(motion.x[mesh.copyParent(c)]);
     motion.v.push_back(motion.v[mesh.copyParent(c)]);
   }
+}
+
+void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
+  placeNewCopies();
   step.topologyChanged(motion, touched);
+  if (growth) growth->topologyChanged(step.assembly(), touched);
   ++topology_version;
+}
+
+/// A cut that may grow passes beside the nodes, by no more than the distance within which others go through them.
+CrackField DeformableBody::State::fieldOf(const PlaneCut& plane) const {
+  CrackField field = planeField(plane, mesh, motion.x);
+  if (!growth) return field;
+  for (int c = 0; c < mesh.numCopies(); ++c)
+    if (field.phi[c] == 0) field.phi[c] = SNAP * mesh.shortestEdge(mesh.copyNode(c));
+  return field;
+}
+
+/// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
+void DeformableBody::State::fracture(StepResult* result) {
+  const double now = time();
+  std::vector<int> touched;
+  for (const CrackAdvance& advance :
+       growth->advances(now, scene.solver.time_step, step.assembly(), motion.x, step.pieceOf())) {
+    const std::optional<CrackField> field = growth->field(advance, mesh);
+    if (!field) continue;
+    try {
+      const Insertion done = mesh.insert(*field);
+      if (!done.changed()) {
+        growth->refused(now, advance);
+        continue;
+      }
+      placeNewCopies();
+      result->cracks.push_back(growth->inserted(now, advance, *field, done, mesh, motion.x));
+      touched.insert(touched.end(), done.touched.begin(), done.touched.end());
+    } catch (const InputError& limit) {
+      result->cracks.push_back(growth->refused(now, advance));
+    }
+  }
+  if (!touched.empty()) topologyChanged(touched);
 }
 
 CutResult DeformableBody::State::cut(const PlaneCut& plane) {
@@ -129,8 +172,10 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
     result.status = CutStatus::REJECTED;
   } else {
     try {
-      const Insertion done = mesh.insert(planeField(plane, mesh, motion.x));
+      const CrackField field = fieldOf(plane);
+      const Insertion done = mesh.insert(field);
       result.status = done.changed() ? CutStatus::APPLIED : CutStatus::MISSED;
+      if (growth && done.changed()) growth->adopt(time(), field, done, mesh);
       if (done.changed())
         topologyChanged(done.touched);
       else
@@ -229,6 +274,11 @@ StepResult DeformableBody::step() {
   StepResult result;
   s.applyDue(&result);
   result.phase_ms.cut = 1e3 * secondsSince(start);
+  if (s.growth) {
+    const auto fracturing = Clock::now();
+    s.fracture(&result);
+    result.phase_ms.fracture = 1e3 * secondsSince(fracturing);
+  }
 
   const double dt = s.scene.solver.time_step, t = s.time();
   if (!s.step.advance(t, dt, &s.motion) && !s.advanceInHalves(t, dt)) {
@@ -236,6 +286,7 @@ StepResult DeformableBody::step() {
                      " s failed, also in two halves: the system is not positive definite or a value is not finite");
   }
   ++s.steps;
+  if (s.growth) s.growth->stepTaken();
   result.iterations = s.step.stats().iterations;
   result.residual = s.step.stats().residual;
   result.phase_ms.assembly = s.step.times().assembly;

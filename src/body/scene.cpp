@@ -23,6 +23,7 @@ constexpr Range NOT_NEGATIVE = {0};
 // A simulated time [s]: some thirty years, so that a time over the shortest step still counts exactly in a double.
 constexpr Range TIME = {0, 1e9};
 
+constexpr Range QUARTER_TURN = {0, 1.5707963267948966};  // [rad]
 // Rubber on rubber has some 1.2; a material that clings has more. Above 10 nothing slides that would not stick.
 constexpr Range FRICTION = {0, 10};
 
@@ -198,8 +199,24 @@ ToolSettings parseTool(const YamlValue& value, const std::string& folder) {
   return tool;
 }
 
+FractureSettings parseFracture(const YamlValue& value) {
+  const YamlMap map =
+      value.map({"tensile_strength", "compressive_strength", "crack_speed", "fuse_distance", "fuse_angle"});
+  FractureSettings fracture;
+  fracture.tensile_strength = map.numberOrInfinity("tensile_strength", fracture.tensile_strength, POSITIVE);
+  fracture.compressive_strength = map.numberOrInfinity("compressive_strength", fracture.compressive_strength, POSITIVE);
+  if (std::isinf(fracture.tensile_strength) && std::isinf(fracture.compressive_strength)) {
+    value.fail("needs a tensile_strength or a compressive_strength (allowed: above 0 Pa, one of them finite)");
+  }
+  fracture.crack_speed = map.numberOrInfinity("crack_speed", fracture.crack_speed, POSITIVE);
+  fracture.fuse_distance = map.number("fuse_distance", fracture.fuse_distance, NOT_NEGATIVE);
+  fracture.fuse_angle = map.number("fuse_angle", fracture.fuse_angle, QUARTER_TURN);
+  return fracture;
+}
+
 Scene parseSections(const YamlValue& root, const std::string& folder) {
-  const YamlMap map = root.map({"body", "gravity", "boundary", "loads", "solver", "cuts", "contact", "tool"});
+  const YamlMap map =
+      root.map({"body", "gravity", "boundary", "loads", "solver", "cuts", "fracture", "contact", "tool"});
   Scene scene;
   scene.body = parseBody(map.at("body"), folder);
   scene.gravity = map.vector("gravity", scene.gravity);
@@ -207,6 +224,7 @@ Scene parseSections(const YamlValue& root, const std::string& folder) {
   for (const YamlValue& load : map.list("loads")) scene.loads.push_back(parseLoad(load));
   if (const auto solver = map.find("solver")) scene.solver = parseSolver(*solver);
   for (const YamlValue& cut : map.list("cuts")) scene.cuts.push_back(parseCut(cut));
+  if (const auto fracture = map.find("fracture")) scene.fracture = parseFracture(*fracture);
   if (const auto contact = map.find("contact")) scene.contact = parseContact(*contact, folder);
   if (const auto tool = map.find("tool")) scene.tool = parseTool(*tool, folder);
   return scene;

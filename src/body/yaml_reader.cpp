@@ -102,6 +102,13 @@ double YamlValue::number(const Range& range) const {
   return *value;
 }
 
+double YamlValue::numberOrInfinity(const Range& range) const {
+  const std::optional<double> value = node_.IsScalar() ? asNumber(node_.Scalar()) : std::nullopt;
+  if (!value || !(*value >= range.min)) refuse(describe(range) + ", or .inf");
+  if (std::isinf(*value)) return *value;
+  return number(range);
+}
+
 int YamlValue::integer(int min, int max) const {
   const std::string allowed = "a whole number, " + std::to_string(min) + " to " + std::to_string(max);
   const std::optional<double> value = node_.IsScalar() ? asNumber(node_.Scalar()) : std::nullopt;
@@ -166,6 +173,11 @@ std::optional<YamlValue> YamlMap::find(const std::string& key) const {
 YamlValue YamlMap::at(const std::string& key) const {
   if (!has(key)) whole_.fail("the key " + key + " is missing");
   return entries_.at(key);
+}
+
+double YamlMap::numberOrInfinity(const std::string& key, double absent, const Range& range) const {
+  const auto value = find(key);
+  return value ? value->numberOrInfinity(range) : absent;
 }
 
 double YamlMap::number(const std::string& key, double absent, const Range& range) const {

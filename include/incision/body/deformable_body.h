@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incision/body/scene.h"
+#include "incision/fracture/growth.h"
 #include "incision/surface/surface.h"
 
 namespace incision {
@@ -40,14 +41,15 @@ struct BodyMotion {
 
 /// Wall time of one step's phases [ms].
 struct PhaseTimes {
-  double cut = 0, assembly = 0, solve = 0, update = 0;
+  double cut = 0, fracture = 0, assembly = 0, solve = 0, update = 0;
 };
 
 struct StepResult {
-  std::vector<CutResult> cuts;  ///< those that took effect before this step
-  int iterations = 0;           ///< of the linear solve; 0 when direct
-  double residual = 0;          ///< relative
-  double step_ms = 0;           ///< wall time of the whole step
+  std::vector<CutResult> cuts;     ///< those that took effect before this step
+  std::vector<CrackEvent> cracks;  ///< what cracks did in this step
+  int iterations = 0;              ///< of the linear solve; 0 when direct
+  double residual = 0;             ///< relative
+  double step_ms = 0;              ///< wall time of the whole step
   PhaseTimes phase_ms;
 };
 

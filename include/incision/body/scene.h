@@ -10,6 +10,7 @@
 #include "incision/fem/boundary.h"
 #include "incision/fem/mass.h"
 #include "incision/fem/material.h"
+#include "incision/fracture/settings.h"
 #include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/mesh_io.h"
 #include "incision/solver/settings.h"
@@ -45,6 +46,7 @@ struct Scene {
   std::vector<Load> loads;
   SolverSettings solver;
   std::vector<ScheduledCut> cuts;
+  std::optional<FractureSettings> fracture;  ///< absent: it breaks only where it is cut
   std::optional<ContactSettings> contact;  ///< absent: the body touches nothing, not even itself
   std::optional<ToolSettings> tool;
 };

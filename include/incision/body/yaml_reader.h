@@ -32,6 +32,8 @@ class YamlValue {
 
   /// A scalar that reads as a number, quoted or not, since rosparam delivers `1e6` as text.
   double number(const Range& range = {}) const;
+  /// The same, or .inf.
+  double numberOrInfinity(const Range& range) const;
   int integer(int min, int max) const;
   bool boolean() const;
   /// At least one byte, at most `max_bytes`, and no control characters.
@@ -72,6 +74,7 @@ class YamlMap {
 
   /// The value of a key, or `absent` where it is not given.
   double number(const std::string& key, double absent, const Range& range = {}) const;
+  double numberOrInfinity(const std::string& key, double absent, const Range& range) const;
   Vec3 vector(const std::string& key, const Vec3& absent) const;
 
   /// The entries of the list at a key; none where it is not given.

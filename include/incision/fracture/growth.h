@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "incision/fem/assembly.h"
+#include "incision/fracture/fringe.h"
+#include "incision/fracture/rankine.h"
+#include "incision/fracture/stress.h"
+
+namespace incision {
+
+/// How a crack is to go on in this step.
+struct CrackAdvance {
+  int crack = -1;                             ///< −1: it starts
+  std::vector<int> parts;                     ///< that it splits, ascending
+  std::vector<double> reached;                ///< when it comes to each of them [s]
+  std::vector<std::pair<int, double>> fresh;  ///< φ [m] at the copies it has not met before
+  Loading loading;                            ///< of the most loaded of the parts
+};
+
+enum class CrackChange : std::uint8_t { STARTED = 0, GREW = 1, FUSED = 2, STOPPED = 3 };
+
+/// What a crack did in one step.
+struct CrackEvent {
+  double time = 0;  ///< at which the step starts [s]
+  int crack = -1;
+  CrackChange change = CrackChange::STARTED;
+  int other = -1;               ///< the crack with which it fused
+  std::vector<int> elements;    ///< that it went through, ascending
+  Vec3 where = Vec3::Zero();    ///< centroid of the new crack surface in the deformed body [m]
+  Vec3 normal = Vec3::UnitX();  ///< mean normal of that surface
+  FailureKind kind = FailureKind::TENSION;
+  double stress = 0;  ///< the principal stress [Pa] that decided
+};
+
+/// The cracks that a body grows by itself: where they are, and where the stress drives them. It changes nothing: it
+/// says how cracks are to advance, and is told what became of it.
+class CrackGrowth {
+ public:
+  explicit CrackGrowth(const FractureSettings& settings) : settings_(settings) {}
+
+  /// Before the first step and after every change of the mesh, of which `touched` are the nodes: parts round them wait
+  /// until `stepTaken`, as their stress is not that of the new mesh.
+  void topologyChanged(const Assembly& assembly, const std::vector<int>& touched);
+  void stepTaken();
+
+  /// How the cracks advance in a step of `time_step` that starts at `time` [s] with the copies at `x` [m], which belong
+  /// to the pieces `piece`: each crack at most once, by one element from each of its fringes, and each piece in which
+  /// none advances starts at most one, at its most loaded part.
+  std::vector<CrackAdvance> advances(double time, double time_step, const Assembly& assembly,
+                                     const std::vector<Vec3>& x, const std::vector<int>& piece);
+
+  /// The advance as a crack to insert, less the parts round the nodes that were touched meanwhile; empty where none is
+  /// left.
+  std::optional<CrackField> field(const CrackAdvance& advance, const CutMesh& mesh) const;
+
+  /// The crack went into the mesh. Returns what to tell of it.
+  CrackEvent inserted(double time, const CrackAdvance& advance, const CrackField& field, const Insertion& done,
+                      const CutMesh& mesh, const std::vector<Vec3>& x);
+
+  /// The crack could not go into the mesh: it never tries these parts again. Returns what to tell where it matters.
+  CrackEvent refused(double time, const CrackAdvance& advance);
+
+  /// A cut given from outside can grow like a crack. It must pass no node closer than SNAP.
+  void adopt(double time, const CrackField& field, const Insertion& done, const CutMesh& mesh);
+
+ private:
+  struct PieceLoad;
+
+  double load(const Assembly& assembly, const std::vector<Vec3>& x);
+  void wait(const std::vector<int>& nodes);
+  bool waits(const CutMesh& mesh, int part) const;
+  bool isBeside(const CutMesh& mesh, int part) const;
+  std::vector<PieceLoad> mostLoaded(const CutMesh& mesh, const std::vector<int>& piece) const;
+  double arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
+  CrackAdvance grow(int crack, const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
+                    const std::vector<Vec3>& x) const;
+  CrackAdvance start(int part, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
+  void remember(const CrackField& field, const Insertion& done, const CutMesh& mesh);
+  void inherit(const CutMesh& mesh);
+
+  FractureSettings settings_;
+  GrowingCracks cracks_;
+  int known_copies_ = 0;  // how many of the mesh's copies have inherited
+  std::set<int> barred_;  // parts in which no crack can start
+  SmoothedStress stress_;
+  std::vector<Loading> loading_;  // of every part
+  std::vector<Fringe> fringes_;
+  std::vector<char> beside_;   // of every copy: used by a part at a fringe
+  std::vector<char> waiting_;  // of every node
+  bool any_waiting_ = false;
+};
+
+}  // namespace incision

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+namespace incision {
+
+/// When and how the body breaks by itself. Stresses are positive in tension.
+struct FractureSettings {
+  /// Largest principal stress [Pa] that the material bears, > 0.
+  double tensile_strength = std::numeric_limits<double>::infinity();
+  /// Largest compression [Pa] that it bears, > 0.
+  double compressive_strength = std::numeric_limits<double>::infinity();
+  /// How fast a crack runs [m/s], > 0; besides, it passes at most one element in a step.
+  double crack_speed = std::numeric_limits<double>::infinity();
+  /// A crack that comes so near [m] to another runs into it, ≥ 0; 0: cracks do not see each other.
+  double fuse_distance = 0;
+  /// Largest angle [rad] between two fringes that become one crack, from 0 to π/2.
+  double fuse_angle = 0;
+};
+
+}  // namespace incision

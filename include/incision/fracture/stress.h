@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/fem/assembly.h"
+
+namespace incision {
+
+/// Stress of the parts, smoothed: the mean by volume of a part's and of those that hang together with it across a face.
+/// Nothing is averaged across a crack.
+class SmoothedStress {
+ public:
+  /// Before the first use and after every change of the mesh: finds what hangs together.
+  void topologyChanged(const Assembly& assembly);
+
+  /// Takes the stress at the copies' positions `x` [m].
+  void update(const Assembly& assembly, const std::vector<Vec3>& x);
+
+  /// Cauchy stress [Pa] of every part in the body's frame.
+  const std::vector<Mat3>& smoothed() const { return smoothed_; }
+
+ private:
+  std::vector<int> start_, neighbour_;  // of part p: neighbour_[start_[p]] … neighbour_[start_[p + 1] − 1]
+  std::vector<Mat3> raw_, smoothed_;
+};
+
+}  // namespace incision

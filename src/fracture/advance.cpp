@@ -1,0 +1,171 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "incision/fracture/front.h"
+#include "incision/fracture/growth.h"
+#include "incision/mesh/parallel.h"
+
+namespace incision {
+namespace {
+
+/// A growing crack passes every node at this share of its shortest edge or more: then it never runs along faces and
+/// edges, so that it always ends on lines across faces, and it cuts off no slivers. What it strays by is small beside
+/// the error of the stress in one element.
+constexpr double CLEARANCE = 1e-2;
+
+/// No crack starts in a part that is a smaller share of its element: it would shatter fragments smaller than an
+/// element, of which the mesh knows no stress, without end.
+constexpr double LEAST_SHARE = 0.1;
+
+double clearOf(int node, double phi, const CutMesh& mesh) {
+  return std::copysign(std::max(std::abs(phi), CLEARANCE * mesh.shortestEdge(node)), phi);
+}
+
+Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x) {
+  Vec3 y = Vec3::Zero();
+  for (int I = 0; I < 4; ++I) y += point[I] * x[part.copies[I]];
+  return y;
+}
+
+/// ∇φ [1] in the body as it is deformed, of a field given at a part's copies.
+Vec3 gradient(const Part& part, const Eigen::Vector4d& phi, const std::vector<Vec3>& x) {
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k) edges.row(k) = x[part.copies[k + 1]] - x[part.copies[0]];
+  return edges.fullPivLu().solve(Vec3(phi.tail<3>().array() - phi[0]));
+}
+
+Front frontOf(const Fringe& fringe, const GrowingCrack& crack, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  const Part &ahead = mesh.parts()[fringe.ahead], &behind = mesh.parts()[fringe.behind];
+  Front front;
+  for (int i = 0; i < 3; ++i) {
+    const int copy = ahead.copies[FACE_NODES[fringe.face][i]];
+    front.face[i] = x[copy];
+    front.phi[i] = crack.phi.at(copy);
+  }
+  front.behind = gradient(behind, *phiAt(crack, behind), x);
+  return front;
+}
+
+bool shareCopy(const Part& a, const Part& b) {
+  return std::find_first_of(a.copies.begin(), a.copies.end(), b.copies.begin(), b.copies.end()) != a.copies.end();
+}
+
+/// The mean of what several fringes want of one copy.
+struct Wanted {
+  double sum = 0;
+  int count = 0;
+};
+
+}  // namespace
+
+/// The most loaded part of a piece, and the most loaded one in which a crack may start.
+struct CrackGrowth::PieceLoad {
+  int worst = -1, start = -1;
+  bool advances = false;
+};
+
+/// Returns the largest share of the strength in any part that does not wait.
+double CrackGrowth::load(const Assembly& assembly, const std::vector<Vec3>& x) {
+  stress_.update(assembly, x);
+  parallelFor(static_cast<int>(loading_.size()), assembly.threads(), [&](int p) {
+    loading_[p] = waits(assembly.mesh(), p) ? Loading() : rankine(stress_.smoothed()[p], settings_);
+  });
+  double largest = 0;
+  for (const Loading& loading : loading_) largest = std::max(largest, loading.share);
+  return largest;
+}
+
+std::vector<CrackGrowth::PieceLoad> CrackGrowth::mostLoaded(const CutMesh& mesh, const std::vector<int>& piece) const {
+  std::vector<PieceLoad> pieces(*std::max_element(piece.begin(), piece.end()) + 1);
+  const auto worse = [&](int p, int than) { return than < 0 || loading_[p].share > loading_[than].share; };
+  for (int p = 0; p < static_cast<int>(loading_.size()); ++p) {
+    if (!(loading_[p].share > 1)) continue;
+    PieceLoad& load = pieces[piece[mesh.parts()[p].copies[0]]];
+    if (worse(p, load.worst)) load.worst = p;
+    if (mesh.parts()[p].fraction >= LEAST_SHARE && !isBeside(mesh, p) && barred_.count(p) == 0 && worse(p, load.start))
+      load.start = p;
+  }
+  return pieces;
+}
+
+/// When the crack comes to the middle of the part ahead, if it does not have to wait for the stress [s].
+double CrackGrowth::arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const {
+  const Part &behind = mesh.parts()[fringe.behind], &ahead = mesh.parts()[fringe.ahead];
+  const Barycentric middle = Barycentric::Constant(0.25);
+  const auto& reached = cracks_.at(fringe.crack).reached;
+  const auto since = reached.find(behind.element);
+  return (since == reached.end() ? time : since->second) +
+         (at(ahead, middle, x) - at(behind, middle, x)).norm() / settings_.crack_speed;
+}
+
+std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, const Assembly& assembly,
+                                                const std::vector<Vec3>& x, const std::vector<int>& piece) {
+  if (!(load(assembly, x) > 1)) return {};
+  const CutMesh& mesh = assembly.mesh();
+  std::vector<PieceLoad> pieces = mostLoaded(mesh, piece);
+
+  std::map<int, std::vector<int>> growing;  // of each crack: the fringes that advance
+  for (std::size_t i = 0; i < fringes_.size(); ++i) {
+    const Fringe& fringe = fringes_[i];
+    PieceLoad& load = pieces[piece[mesh.parts()[fringe.ahead].copies[0]]];
+    const bool driven = loading_[fringe.ahead].share > 1 ||
+                        (load.worst >= 0 && shareCopy(mesh.parts()[load.worst], mesh.parts()[fringe.ahead]));
+    if (!driven || waits(mesh, fringe.ahead)) continue;
+    load.advances = true;
+    if (arrival(fringe, time, mesh, x) <= time) growing[fringe.crack].push_back(static_cast<int>(i));
+  }
+  std::vector<CrackAdvance> result;
+  for (const auto& [crack, fringes] : growing) {
+    result.push_back(grow(crack, fringes, time - time_step, mesh, x));
+    if (result.back().parts.empty()) result.pop_back();
+  }
+  for (const PieceLoad& load : pieces)
+    if (load.start >= 0 && !load.advances) result.push_back(start(load.start, time, mesh, x));
+  return result;
+}
+
+CrackAdvance CrackGrowth::grow(int number, const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
+                               const std::vector<Vec3>& x) const {
+  const GrowingCrack& crack = cracks_.at(number);
+  CrackAdvance advance;
+  advance.crack = number;
+  std::map<int, double> reached;  // of each part
+  std::map<int, Wanted> wanted;   // at each copy
+  for (int i : fringes) {
+    const Fringe& fringe = fringes_[i];
+    const Part& ahead = mesh.parts()[fringe.ahead];
+    const int far = ahead.copies[fringe.face];
+    if (crack.phi.count(far) == 0) {
+      const Vec3 normal = crackNormal(stress_.smoothed()[fringe.ahead]);
+      const double phi = phiBeyond(frontOf(fringe, crack, mesh, x), normal, x[far]);
+      if (!std::isfinite(phi)) continue;  // the face is flat
+      wanted[far].sum += phi;
+      ++wanted[far].count;
+    }
+    const double arrives = std::max(earliest, arrival(fringe, earliest, mesh, x));
+    const auto [known, first] = reached.try_emplace(fringe.ahead, arrives);
+    if (!first) known->second = std::min(known->second, arrives);
+    if (loading_[fringe.ahead].share > advance.loading.share) advance.loading = loading_[fringe.ahead];
+  }
+  for (const auto& [copy, mean] : wanted)
+    advance.fresh.emplace_back(copy, clearOf(mesh.copyNode(copy), mean.sum / mean.count, mesh));
+  for (const auto& [part, time] : reached) {
+    advance.parts.push_back(part);
+    advance.reached.push_back(time);
+  }
+  return advance;
+}
+
+CrackAdvance CrackGrowth::start(int part, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const {
+  CrackAdvance advance;
+  advance.parts = {part};
+  advance.reached = {time};
+  advance.loading = loading_[part];
+  const Vec3 n = crackNormal(stress_.smoothed()[part]), centroid = at(mesh.parts()[part], mesh.centroid(part), x);
+  for (int c : mesh.parts()[part].copies)
+    advance.fresh.emplace_back(c, clearOf(mesh.copyNode(c), n.dot(x[c] - centroid), mesh));
+  return advance;
+}
+
+}  // namespace incision

@@ -1,0 +1,81 @@
+#include "incision/fracture/fringe.h"
+
+#include <algorithm>
+
+namespace incision {
+namespace {
+
+/// Whether an edge of the facet lies in the face: the facet ends there.
+bool endsOn(const Facet& facet, int face, const Polytope& polytope) {
+  return std::count_if(facet.corners.begin(), facet.corners.end(),
+                       [&](int c) { return polytope.corners[c][face] == 0; }) >= 2;
+}
+
+int faceBetween(const MeshTopology& topology, int element, int across) {
+  int face = 0;
+  while (topology.neighbours[element][face] != across) ++face;
+  return face;
+}
+
+/// Whether φ, known at the copies of the face alone, has both signs on what the part owns of it.
+bool crosses(const GrowingCrack& crack, const CutMesh& mesh, int part, int face) {
+  Eigen::Vector4d phi = Eigen::Vector4d::Zero();
+  for (int I : FACE_NODES[face]) {
+    const auto known = crack.phi.find(mesh.parts()[part].copies[I]);
+    if (known == crack.phi.end()) return false;
+    phi[I] = known->second;
+  }
+  const Polytope& polytope = mesh.polytope(part);
+  const Facet* facet = polytope.onFace(face);
+  if (!facet) return false;
+  const double zero = ZERO_PHI * phi.cwiseAbs().maxCoeff();
+  bool positive = false, negative = false;
+  for (int c : facet->corners) {
+    const double value = phi.dot(polytope.corners[c]);
+    positive = positive || value > zero;
+    negative = negative || value < -zero;
+  }
+  return positive && negative;
+}
+
+void addFringes(const CutMesh& mesh, int number, const GrowingCrack& crack, int part, const Facet& facet,
+                std::vector<Fringe>* fringes) {
+  const int element = mesh.parts()[part].element;
+  for (int face = 0; face < 4; ++face) {
+    const int across = mesh.topology().neighbours[element][face];
+    if (across < 0 || !endsOn(facet, face, mesh.polytope(part))) continue;
+    const int back = faceBetween(mesh.topology(), across, element);
+    for (const FacePair& pair : mesh.facePairs(element, face))
+      if (pair.part == part && !pair.severed && crack.refused.count(pair.other) == 0 &&
+          crosses(crack, mesh, pair.other, back))
+        fringes->push_back({number, part, pair.other, back});
+  }
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector4d> phiAt(const GrowingCrack& crack, const Part& part) {
+  Eigen::Vector4d phi;
+  for (int I = 0; I < 4; ++I) {
+    const auto known = crack.phi.find(part.copies[I]);
+    if (known == crack.phi.end()) return std::nullopt;
+    phi[I] = known->second;
+  }
+  return phi;
+}
+
+std::vector<Fringe> findFringes(const CutMesh& mesh, const GrowingCracks& cracks) {
+  std::vector<Fringe> fringes;
+  for (int p = 0; p < static_cast<int>(mesh.parts().size()); ++p) {
+    if (mesh.parts()[p].detail < 0) continue;
+    for (const Facet& facet : mesh.polytope(p).facets) {
+      const auto found = cracks.find(facet.crack);
+      if (found == cracks.end()) continue;
+      const auto phi = phiAt(found->second, mesh.parts()[p]);
+      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, found->first, found->second, p, facet, &fringes);
+    }
+  }
+  return fringes;
+}
+
+}  // namespace incision

@@ -1,0 +1,159 @@
+#include "incision/fracture/growth.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace incision {
+namespace {
+
+/// The crack's new surface: its vector area and its centroid.
+struct NewSurface {
+  Vec3 area = Vec3::Zero(), centroid = Vec3::Zero();
+};
+
+/// Of the facets that the crack has made in these parts, seen from its negative side.
+NewSurface newSurface(int crack, const std::vector<int>& parts, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  NewSurface surface;
+  double sum = 0;
+  for (int p : parts)
+    for (const Facet& facet : mesh.polytope(p).facets) {
+      if (facet.crack != crack) continue;
+      const auto place = [&](std::size_t i) {
+        Vec3 y = Vec3::Zero();
+        for (int I = 0; I < 4; ++I) y += mesh.polytope(p).corners[facet.corners[i]][I] * x[mesh.parts()[p].copies[I]];
+        return y;
+      };
+      const Vec3 base = place(0);
+      for (std::size_t i = 2; i < facet.corners.size(); ++i) {
+        const Vec3 b = place(i - 1), c = place(i), area = (c - base).cross(b - base) / 2;
+        surface.area += area;
+        surface.centroid += area.norm() * (base + b + c) / 3;
+        sum += area.norm();
+      }
+    }
+  if (sum > 0) surface.centroid /= sum;
+  return surface;
+}
+
+}  // namespace
+
+void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<int>& touched) {
+  const CutMesh& mesh = assembly.mesh();
+  inherit(mesh);
+  waiting_.resize(mesh.mesh().nodes.size(), 0);
+  wait(touched);
+  stress_.topologyChanged(assembly);
+  loading_.resize(mesh.parts().size());
+  fringes_ = findFringes(mesh, cracks_);
+  beside_.assign(mesh.numCopies(), 0);
+  for (const Fringe& fringe : fringes_)
+    for (int c : mesh.parts()[fringe.ahead].copies) beside_[c] = 1;
+}
+
+void CrackGrowth::stepTaken() {
+  if (!any_waiting_) return;
+  waiting_.assign(waiting_.size(), 0);
+  any_waiting_ = false;
+}
+
+void CrackGrowth::wait(const std::vector<int>& nodes) {
+  for (int node : nodes) waiting_[node] = 1;
+  any_waiting_ = any_waiting_ || !nodes.empty();
+}
+
+bool CrackGrowth::waits(const CutMesh& mesh, int part) const {
+  if (!any_waiting_) return false;
+  const auto& nodes = mesh.mesh().elements[mesh.parts()[part].element];
+  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return waiting_[node] != 0; });
+}
+
+bool CrackGrowth::isBeside(const CutMesh& mesh, int part) const {
+  const auto& copies = mesh.parts()[part].copies;
+  return std::any_of(copies.begin(), copies.end(), [&](int c) { return beside_[c] != 0; });
+}
+
+std::optional<CrackField> CrackGrowth::field(const CrackAdvance& advance, const CutMesh& mesh) const {
+  CrackField field;
+  field.crack = advance.crack;
+  for (int p : advance.parts)
+    if (!waits(mesh, p)) field.parts.push_back(p);
+  if (field.parts.empty()) return std::nullopt;
+  field.phi.assign(mesh.numCopies(), 0);
+  if (advance.crack >= 0) {
+    const GrowingCrack& crack = cracks_.at(advance.crack);
+    for (int p : field.parts)
+      for (int c : mesh.parts()[p].copies)
+        if (const auto known = crack.phi.find(c); known != crack.phi.end()) field.phi[c] = known->second;
+  }
+  for (const auto& [copy, phi] : advance.fresh) field.phi[copy] = phi;
+  return field;
+}
+
+CrackEvent CrackGrowth::inserted(double time, const CrackAdvance& advance, const CrackField& field,
+                                 const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  CrackEvent event;
+  event.time = time;
+  event.change = advance.crack < 0 ? CrackChange::STARTED : CrackChange::GREW;
+  event.crack = done.crack;
+  event.kind = advance.loading.kind;
+  event.stress = advance.loading.stress;
+  for (int p : done.parts) event.elements.push_back(mesh.parts()[p].element);
+  const NewSurface surface = newSurface(done.crack, done.parts, mesh, x);
+  event.where = surface.centroid;
+  if (surface.area.norm() > 0) event.normal = surface.area.normalized();
+
+  remember(field, done, mesh);
+  for (std::size_t i = 0; i < advance.parts.size(); ++i)
+    if (std::find(done.parts.begin(), done.parts.end(), advance.parts[i]) != done.parts.end())
+      cracks_[done.crack].reached[mesh.parts()[advance.parts[i]].element] = advance.reached[i];
+  // What a fringe could not split now, it never will.
+  for (int p : field.parts)
+    if (std::find(done.parts.begin(), done.parts.end(), p) == done.parts.end()) cracks_[done.crack].refused.insert(p);
+  return event;
+}
+
+CrackEvent CrackGrowth::refused(double time, const CrackAdvance& advance) {
+  CrackEvent event;
+  event.time = time;
+  event.crack = advance.crack;
+  event.change = CrackChange::STOPPED;
+  event.kind = advance.loading.kind;
+  event.stress = advance.loading.stress;
+  std::set<int>& refused = advance.crack < 0 ? barred_ : cracks_.at(advance.crack).refused;
+  refused.insert(advance.parts.begin(), advance.parts.end());
+  const auto gone = [&](const Fringe& fringe) {
+    return fringe.crack == advance.crack && refused.count(fringe.ahead) > 0;
+  };
+  fringes_.erase(std::remove_if(fringes_.begin(), fringes_.end(), gone), fringes_.end());
+  return event;
+}
+
+void CrackGrowth::adopt(double time, const CrackField& field, const Insertion& done, const CutMesh& mesh) {
+  remember(field, done, mesh);
+  for (int p : done.parts) cracks_[done.crack].reached[mesh.parts()[p].element] = time;
+}
+
+/// Keeps φ at the copies that the split parts had before.
+void CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
+  GrowingCrack& crack = cracks_[done.crack];
+  const int before = static_cast<int>(field.phi.size());
+  for (int p : done.parts)
+    for (int c : mesh.parts()[p].copies) {
+      const int old = c < before ? c : mesh.copyParent(c);
+      crack.phi[old] = field.phi[old];
+    }
+  inherit(mesh);
+  wait(done.touched);
+}
+
+/// New copies have φ of every crack from their parents.
+void CrackGrowth::inherit(const CutMesh& mesh) {
+  for (; known_copies_ < mesh.numCopies(); ++known_copies_)
+    for (auto& [number, crack] : cracks_)
+      if (const auto parent = crack.phi.find(mesh.copyParent(known_copies_)); parent != crack.phi.end()) {
+        const double phi = parent->second;  // of its own, as the next line may move it
+        crack.phi[known_copies_] = phi;
+      }
+}
+
+}  // namespace incision

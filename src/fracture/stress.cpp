@@ -1,0 +1,63 @@
+#include "incision/fracture/stress.h"
+
+#include <numeric>
+#include <utility>
+
+#include "incision/mesh/parallel.h"
+
+namespace incision {
+namespace {
+
+/// All pairs of parts that share a face and are not severed there.
+std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
+  std::vector<std::pair<int, int>> joined;
+  joined.reserve(2 * mesh.parts().size());
+  const auto& neighbours = mesh.topology().neighbours;
+  for (int e = 0; e < static_cast<int>(neighbours.size()); ++e)
+    for (int face = 0; face < 4; ++face) {
+      const int across = neighbours[e][face];
+      if (across < e) continue;  // the boundary, or seen from the other side
+      if (mesh.isWhole(e) && mesh.isWhole(across)) {
+        joined.emplace_back(e, across);
+        continue;
+      }
+      for (const FacePair& pair : mesh.facePairs(e, face))
+        if (!pair.severed) joined.emplace_back(pair.part, pair.other);
+    }
+  return joined;
+}
+
+}  // namespace
+
+void SmoothedStress::topologyChanged(const Assembly& assembly) {
+  const std::size_t parts = assembly.mesh().parts().size();
+  const std::vector<std::pair<int, int>> joined = joinedParts(assembly.mesh());
+  start_.assign(parts + 1, 0);
+  for (const auto& [p, q] : joined) ++start_[p + 1], ++start_[q + 1];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  neighbour_.resize(start_.back());
+  std::vector<int> end(start_.begin(), start_.end() - 1);
+  for (const auto& [p, q] : joined) {
+    neighbour_[end[p]++] = q;
+    neighbour_[end[q]++] = p;
+  }
+  raw_.resize(parts);
+  smoothed_.resize(parts);
+}
+
+void SmoothedStress::update(const Assembly& assembly, const std::vector<Vec3>& x) {
+  const int parts = static_cast<int>(raw_.size());
+  parallelFor(parts, assembly.threads(), [&](int p) { raw_[p] = assembly.stress(p, x); });
+  parallelFor(parts, assembly.threads(), [&](int p) {
+    double volume = assembly.volume(p);
+    Mat3 sum = volume * raw_[p];
+    for (int k = start_[p]; k < start_[p + 1]; ++k) {
+      const double V = assembly.volume(neighbour_[k]);
+      sum += V * raw_[neighbour_[k]];
+      volume += V;
+    }
+    smoothed_[p] = sum / volume;
+  });
+}
+
+}  // namespace incision
