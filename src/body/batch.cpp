@@ -134,7 +134,7 @@ bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outpu
 
 BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& err) {
   const Scene scene = loadScene(options.scene, options.overrides);
-  DeformableBody body(scene, loadMesh(scene), loadDescription(scene));
+  DeformableBody body(scene, loadMesh(scene), {loadDescription(scene), loadObstacleDescription(scene)});
   Outputs outputs = openOutputs(options);
   StepStatistics statistics;
   const bool stepped = takeSteps(options, body, outputs, statistics, err);

@@ -60,11 +60,14 @@ std::string missedReason(const Insertion& done) {
 }  // namespace
 
 struct DeformableBody::State {
-  State(const Scene& s, TetMesh rest, const std::string& urdf)
+  State(const Scene& s, TetMesh rest, const Descriptions& descriptions)
       : scene(s),
         mesh(withOrderedElements(std::move(rest)), s.solver.threads),
         step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
-    if (scene.tool) edge = bladeEdge(*scene.tool, urdf, scene.tool->description);
+    if (scene.tool) edge = bladeEdge(*scene.tool, descriptions.tool, scene.tool->description);
+    if (scene.contact)
+      contact.emplace(*scene.contact, loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles),
+                      scene.body.material.young_modulus, scene.solver.threads);
     for (std::size_t n = 0; n < mesh.mesh().nodes.size(); ++n)
       least_motion = std::min(least_motion, SNAP * mesh.shortestEdge(static_cast<int>(n)));
     start();
@@ -79,6 +82,8 @@ struct DeformableBody::State {
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
   void fracture(StepResult* result);
+  const Surface& currentSurface() const;
+  bool advance(double time, double time_step);
   bool advanceInHalves(double time, double time_step);
   std::optional<Pose> scenePose() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
@@ -93,9 +98,13 @@ struct DeformableBody::State {
   double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
   std::optional<Pose> tool_pose;
   std::optional<CrackGrowth> growth;  // where the scene lets the body break
+  std::optional<Contact> contact;     // where the scene lets the body touch
+  LinkMotion links;                   // of the obstacles, from the step's start to its end
+  ContactReport touching;
   Stroke stroke;
   CutResult stroke_result;
   std::uint64_t topology_version = 0;
+  std::uint64_t contact_version = 0;
   mutable Surface surface;
   mutable std::uint64_t surface_version = 0;
 };
@@ -112,6 +121,12 @@ void DeformableBody::State::start() {
   stroke = Stroke();
   stroke_result = CutResult();
   if (scene.fracture) growth.emplace(*scene.fracture);
+  if (contact) {
+    contact->reset();
+    links = LinkMotion();
+    for (const ObstacleLink& link : contact->obstacles().links) links.to.push_back(link.pose);
+    links.from = links.to;
+  }
   topologyChanged();
 }
 
@@ -254,17 +269,50 @@ void DeformableBody::State::applyDue(StepResult* result) {
     if (const std::optional<CutResult> ended = moveTool(*pose)) result->cuts.push_back(*ended);
 }
 
-/// Two steps of half the length; returns false, with the motion as it was, when one of them fails.
+const Surface& DeformableBody::State::currentSurface() const {
+  if (surface_version != topology_version) {
+    surface = buildSurface(mesh);
+    surface_version = topology_version;
+  }
+  return surface;
+}
+
+/// One step of `time_step`, in which the obstacles move from links.from to links.to. Returns false with nothing
+/// changed.
+bool DeformableBody::State::advance(double time, double time_step) {
+  if (!contact) return step.advance(time, time_step, &motion);
+  if (contact_version != topology_version) contact->surfaceChanged(currentSurface(), mesh, step.pieceOf());
+  contact_version = topology_version;
+  contact->begin(motion, time_step, links);
+  const auto couple = [&](double dt, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
+    couplings->clear();
+    return contact->update(dt, v_end, couplings);
+  };
+  if (!step.advance(time, time_step, &motion, couple)) return false;
+  touching = contact->accept(time_step, motion.v);
+  links.from = links.to;
+  return true;
+}
+
+/// Two steps of half the length; returns false, with the state as it was, when one of them fails.
 bool DeformableBody::State::advanceInHalves(double time, double time_step) {
   const Motion before = motion;
+  const LinkMotion whole = links;
+  const std::optional<Contact> contact_before = contact;
   const double half = time_step / 2;
-  if (step.advance(time, half, &motion) && step.advance(time + half, half, &motion)) return true;
+  for (std::size_t i = 0; i < links.to.size(); ++i) links.to[i] = between(whole.from[i], whole.to[i], 0.5);
+  if (advance(time, half)) {
+    links.to = whole.to;
+    if (advance(time + half, half)) return true;
+  }
   motion = before;
+  links = whole;
+  contact = contact_before;
   return false;
 }
 
-DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const std::string& urdf)
-    : state_(std::make_unique<State>(scene, std::move(mesh), urdf)) {}
+DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions)
+    : state_(std::make_unique<State>(scene, std::move(mesh), descriptions)) {}
 
 DeformableBody::~DeformableBody() = default;
 
@@ -281,12 +329,13 @@ StepResult DeformableBody::step() {
   }
 
   const double dt = s.scene.solver.time_step, t = s.time();
-  if (!s.step.advance(t, dt, &s.motion) && !s.advanceInHalves(t, dt)) {
+  if (!s.advance(t, dt) && !s.advanceInHalves(t, dt)) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
                      " s failed, also in two halves: the system is not positive definite or a value is not finite");
   }
   ++s.steps;
   if (s.growth) s.growth->stepTaken();
+  result.contact = s.touching;
   result.iterations = s.step.stats().iterations;
   result.residual = s.step.stats().residual;
   result.phase_ms.assembly = s.step.times().assembly;
@@ -311,6 +360,13 @@ std::optional<CutResult> DeformableBody::liftTool() {
   state_->tool_pose.reset();
   return state_->endStroke();
 }
+
+const Obstacles& DeformableBody::obstacles() const {
+  static const Obstacles none;
+  return state_->contact ? state_->contact->obstacles() : none;
+}
+
+void DeformableBody::moveObstacle(int link, const Pose& pose) { state_->links.to[link] = pose; }
 
 void DeformableBody::reset() {
   state_->mesh = CutMesh(state_->mesh.mesh(), state_->mesh.threads());
@@ -379,13 +435,7 @@ std::vector<Mat3> DeformableBody::partStress() const {
   return stress;
 }
 
-const Surface& DeformableBody::surface() const {
-  if (state_->surface_version != state_->topology_version) {
-    state_->surface = buildSurface(state_->mesh);
-    state_->surface_version = state_->topology_version;
-  }
-  return state_->surface;
-}
+const Surface& DeformableBody::surface() const { return state_->currentSurface(); }
 
 std::uint64_t DeformableBody::topologyVersion() const { return state_->topology_version; }
 

@@ -31,9 +31,12 @@ std::string hexadecimal(std::uint64_t value) {
 void StepStatistics::add(const StepResult& step) {
   step_ms_.push_back(step.step_ms);
   sum_.cut += step.phase_ms.cut;
+  sum_.fracture += step.phase_ms.fracture;
+  sum_.contact += step.phase_ms.contact;
   sum_.assembly += step.phase_ms.assembly;
   sum_.solve += step.phase_ms.solve;
   sum_.update += step.phase_ms.update;
+  contact_ = step.contact;
   iterations_ = step.iterations;
   residual_ = step.residual;
 }
@@ -48,7 +51,7 @@ double StepStatistics::quantile(double share) const {
 
 PhaseTimes StepStatistics::meanPhases() const {
   const double n = std::max<double>(1, static_cast<double>(step_ms_.size()));
-  return {sum_.cut / n, sum_.assembly / n, sum_.solve / n, sum_.update / n};
+  return {sum_.cut / n, sum_.fracture / n, sum_.contact / n, sum_.assembly / n, sum_.solve / n, sum_.update / n};
 }
 
 std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics) {
@@ -76,8 +79,9 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
   line["residual"] = statistics.residual();
   line["step_ms"] = {
       {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.quantile(1)}};
-  line["phase_ms"] = {
-      {"cut", phases.cut}, {"assembly", phases.assembly}, {"solve", phases.solve}, {"update", phases.update}};
+  line["phase_ms"] = {{"cut", phases.cut},           {"fracture", phases.fracture}, {"contact", phases.contact},
+                      {"assembly", phases.assembly}, {"solve", phases.solve},       {"update", phases.update}};
+  line["contacts"] = {{"count", statistics.contact().count}, {"deepest", statistics.contact().deepest}};
   line["peak_rss_mb"] = peakMemory();
   line["state_hash"] = hexadecimal(body.stateHash());
   return line.dump();

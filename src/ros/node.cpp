@@ -32,7 +32,8 @@ SteadyTime now() { return std::chrono::steady_clock::now(); }
 
 IncisionNode::IncisionNode()
     : settings_(loadSettings(node_)),
-      body_(settings_.scene, loadMesh(settings_.scene), settings_.tool_description),
+      body_(settings_.scene, loadMesh(settings_.scene),
+            {settings_.tool_description, loadObstacleDescription(settings_.scene)}),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
       reporter_(node_, settings_.scene.body.frame),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incision/body/scene.h"
+#include "incision/contact/contact.h"
 #include "incision/fracture/growth.h"
 #include "incision/surface/surface.h"
 
@@ -41,15 +42,16 @@ struct BodyMotion {
 
 /// Wall time of one step's phases [ms].
 struct PhaseTimes {
-  double cut = 0, fracture = 0, assembly = 0, solve = 0, update = 0;
+  double cut = 0, fracture = 0, contact = 0, assembly = 0, solve = 0, update = 0;
 };
 
 struct StepResult {
   std::vector<CutResult> cuts;     ///< those that took effect before this step
   std::vector<CrackEvent> cracks;  ///< what cracks did in this step
-  int iterations = 0;              ///< of the linear solve; 0 when direct
-  double residual = 0;             ///< relative
-  double step_ms = 0;              ///< wall time of the whole step
+  ContactReport contact;
+  int iterations = 0;   ///< of the linear solve; 0 when direct
+  double residual = 0;  ///< relative
+  double step_ms = 0;   ///< wall time of the whole step
   PhaseTimes phase_ms;
 };
 
@@ -62,9 +64,8 @@ class StepFailed : public std::runtime_error {
 /// One soft body: owns the state and calls the stages. Not thread-safe.
 class DeformableBody {
  public:
-  /// `urdf` is the text of the tool's description where the scene's tool needs one.
-  /// Throws InputError when the scene and the mesh do not go together.
-  DeformableBody(const Scene& scene, TetMesh mesh, const std::string& urdf = "");
+  /// Throws InputError when the scene, the mesh and the descriptions do not go together.
+  DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions = {});
   ~DeformableBody();
 
   /// Applies what is due, then takes one step of Δt. Throws StepFailed with the state restored.
@@ -82,6 +83,11 @@ class DeformableBody {
 
   /// Forgets where the blade was, so that the next pose only places it; ends the stroke under way.
   std::optional<CutResult> liftTool();
+
+  /// The obstacles; none without contact. A link moves evenly to `pose` in the body's frame during the next step, and
+  /// stays there.
+  const Obstacles& obstacles() const;
+  void moveObstacle(int link, const Pose& pose);
 
   /// Back to the state after construction: no cuts but the scene's, which are scheduled again.
   void reset();

@@ -18,11 +18,13 @@ class StepStatistics {
   PhaseTimes meanPhases() const;
   /// The last step's linear solve; 0 without steps.
   int iterations() const { return iterations_; }
+  const ContactReport& contact() const { return contact_; }
   double residual() const { return residual_; }
 
  private:
   std::vector<double> step_ms_;
   PhaseTimes sum_;
+  ContactReport contact_;
   int iterations_ = 0;
   double residual_ = 0;
 };

@@ -47,7 +47,7 @@ struct Scene {
   SolverSettings solver;
   std::vector<ScheduledCut> cuts;
   std::optional<FractureSettings> fracture;  ///< absent: it breaks only where it is cut
-  std::optional<ContactSettings> contact;  ///< absent: the body touches nothing, not even itself
+  std::optional<ContactSettings> contact;    ///< absent: the body touches nothing, not even itself
   std::optional<ToolSettings> tool;
 };
 
@@ -65,6 +65,11 @@ std::string resolvePath(const std::string& address, const std::string& folder);
 
 /// The scene's mesh file or grid.
 TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs = nullptr);
+
+/// Texts of URDFs; empty where there is none.
+struct Descriptions {
+  std::string tool, obstacles;
+};
 
 /// Text of the tool's description where the scene's tool needs one to know its edge, else empty.
 std::string loadDescription(const Scene& scene);

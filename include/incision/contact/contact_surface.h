@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/solver/coupling.h"
+#include "incision/surface/surface.h"
+
+namespace incision {
+
+/// What of the surface does not change until its topology does.
+///
+/// A sample is a vertex as seen from triangles that lie nearly flat round it; a vertex on an edge of the surface has
+/// one for each side, so that each has a normal. Samples carry the contact's stiffness by the area they stand for.
+struct ContactSurface {
+  struct Sample {
+    int vertex;
+    int first, last;  ///< its triangles are around[first] … around[last − 1]
+    double area;      ///< a third of theirs at rest [m²]
+  };
+
+  const Surface* surface = nullptr;
+  std::vector<Vec3> rest;         ///< of each vertex [m]
+  std::vector<double> size;       ///< of the elements round each vertex, the mean of ∛(6 V_e) [m]: a grid's cell
+  std::vector<double> area;       ///< of each vertex: a third of its triangles' at rest [m²]
+  std::vector<Sample> samples;    ///< by vertex
+  std::vector<int> around;        ///< triangles
+  std::vector<int> piece;         ///< of each triangle
+  std::vector<int> vertex_piece;  ///< of each vertex
+  double mean_size = 0;           ///< of the vertices [m]
+};
+
+/// `surface` must outlive the result; `piece` of each copy.
+ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece);
+
+/// Adds `sign` times the position of a vertex to what a coupling holds.
+void addVertex(const SurfaceVertex& vertex, double sign, Coupling* coupling);
+
+}  // namespace incision

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "incision/contact/candidate.h"
+#include "incision/contact/contact_surface.h"
+
+namespace incision {
+
+/// Finds where the body may touch itself: its samples against its triangles, pieces against pieces and a piece against
+/// itself. Time and memory are linear in the surface.
+class FragmentFinder {
+ public:
+  /// Candidates for a step of `time_step` [s] from positions `x` [m] and velocities `v` [m/s] of the surface's
+  /// vertices, appended in the order of the samples, at most one for each. A sample has a candidate where it lies
+  /// before or just behind a triangle that faces it, and where the two could meet within the step.
+  ///
+  /// What lay behind a triangle of its own piece at rest has material in between, and is none.
+  void find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step,
+            double stiffness, int threads, std::vector<Candidate>* candidates);
+
+ private:
+  /// A sample and the triangle before it, nearest by |gap|.
+  struct Pair {
+    int sample, triangle;
+    double gap;
+    Vec3 weights;  ///< of the triangle's corners at the foot of the sample
+  };
+
+  using Cell = Eigen::Array<std::int64_t, 3, 1>;
+
+  void measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
+  void fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x, double cell);
+  void pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, int triangle,
+                    std::vector<Pair>* pairs);
+  bool meets(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, int triangle,
+             int sample, Pair* pair) const;
+  Cell cellOf(const Vec3& point) const;
+  int slotOf(const Cell& cell) const;
+
+  double cell_ = 0, reach_ = 0, time_step_ = 0;
+  std::vector<Vec3> normals_;         // of each triangle, unit or zero
+  std::vector<Vec3> sample_normals_;  // the same
+  // Samples by the slot of the grid's cell they lie in: slot_samples_[slot_start_[s]] …
+  std::vector<int> slot_start_, slot_samples_, slot_of_;
+  std::vector<std::vector<Pair>> found_;  // by chunk of triangles
+  std::vector<Pair> best_;                // of each sample; triangle −1: none
+};
+
+}  // namespace incision

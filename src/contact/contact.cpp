@@ -1,0 +1,160 @@
+#include "incision/contact/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "incision/mesh/parallel.h"
+
+namespace incision {
+namespace {
+
+/// k_t/k: as a half space gives way to a shear, roughly.
+constexpr double TANGENTIAL = 0.5;
+
+/// Another solve is worth it where contacts that should press and do not, or the other way round, would carry more than
+/// this share of all contact forces.
+constexpr double NORMAL_TOLERANCE = 0.01;
+
+/// The same of friction that is off its bound, as a share of all friction there may be.
+constexpr double FRICTION_TOLERANCE = 0.02;
+
+/// Gaps this small, in elements, are rounding: faces just cut lie in each other's plane.
+constexpr double TOUCHING = 1e-9;
+
+Vec3 stretchOf(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) {
+  Vec3 rate = Vec3::Zero();
+  for (int i = 0; i < candidate.held.count; ++i) rate += candidate.held.weights[i] * v_end[candidate.held.copies[i]];
+  return time_step * rate - candidate.drift;
+}
+
+/// The gap that the force counts from.
+double pushedGap(const Candidate& candidate) { return std::max(candidate.gap, -MAX_PUSH * candidate.size); }
+
+template <typename T>
+std::tuple<int, int> keyOf(const T& contact) {
+  return {contact.partner, contact.sample};
+}
+
+}  // namespace
+
+Contact::Contact(const ContactSettings& settings, Obstacles obstacles, double young_modulus, int threads)
+    : settings_(settings),
+      obstacles_(std::move(obstacles)),
+      stiffness_(CONTACT_STIFFNESS * young_modulus),
+      threads_(threads) {}
+
+void Contact::surfaceChanged(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece) {
+  surface_ = makeContactSurface(surface, mesh, piece);
+  const auto before = [](const SurfaceVertex& a, const SurfaceVertex& b) {
+    if (a.copies != b.copies) return a.copies < b.copies;
+    return std::lexicographical_compare(a.weights.data(), a.weights.data() + 4, b.weights.data(), b.weights.data() + 4);
+  };
+  // Where a contact is now, if the cut has left its vertex alone.
+  std::sort(stuck_.begin(), stuck_.end(), [&](const Stuck& a, const Stuck& b) { return before(a.vertex, b.vertex); });
+  for (Stuck& contact : stuck_) contact.sample = -1;
+  const auto place = [&](int sample, int vertex, int side, bool of_body) {
+    const SurfaceVertex& at = surface.vertices[vertex];
+    auto contact = std::lower_bound(stuck_.begin(), stuck_.end(), at,
+                                    [&](const Stuck& a, const SurfaceVertex& b) { return before(a.vertex, b); });
+    for (; contact != stuck_.end() && !before(at, contact->vertex); ++contact)
+      if (contact->side == side && (contact->partner == Candidate::BODY) == of_body) contact->sample = sample;
+  };
+  for (int s = 0; s < static_cast<int>(surface_.samples.size()); ++s)
+    place(s, surface_.samples[s].vertex, sideOf(s), true);
+  for (int v = 0; v < static_cast<int>(surface.vertices.size()); ++v) place(v, v, 0, false);
+  stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [](const Stuck& contact) { return contact.sample < 0; }),
+               stuck_.end());
+  std::sort(stuck_.begin(), stuck_.end(), [](const Stuck& a, const Stuck& b) { return keyOf(a) < keyOf(b); });
+}
+
+int Contact::sideOf(int sample) const {
+  int side = 0;
+  while (side < sample && surface_.samples[sample - side - 1].vertex == surface_.samples[sample].vertex) ++side;
+  return side;
+}
+
+void Contact::begin(const Motion& motion, double time_step, const LinkMotion& links) {
+  const auto& vertices = surface_.surface->vertices;
+  x_.resize(vertices.size());
+  v_.resize(vertices.size());
+  parallelFor(static_cast<int>(vertices.size()), threads_, [&](int i) {
+    x_[i].setZero();
+    v_[i].setZero();
+    for (int k = 0; k < 4; ++k) {
+      x_[i] += vertices[i].weights[k] * motion.x[vertices[i].copies[k]];
+      v_[i] += vertices[i].weights[k] * motion.v[vertices[i].copies[k]];
+    }
+  });
+  candidates_.clear();
+  if (settings_.self) fragments_.find(surface_, x_, v_, time_step, stiffness_, threads_, &candidates_);
+  findObstacleContacts(surface_, x_, v_, time_step, stiffness_, obstacles_, links, &candidates_);
+  findSlips();
+  used_.assign(candidates_.size(), Trial());
+  trials_.resize(candidates_.size());
+}
+
+/// Takes what stuck before into the candidates, which are in the same order.
+void Contact::findSlips() {
+  auto contact = stuck_.begin();
+  for (Candidate& candidate : candidates_) {
+    while (contact != stuck_.end() && keyOf(*contact) < keyOf(candidate)) ++contact;
+    if (contact == stuck_.end() || keyOf(*contact) != keyOf(candidate)) continue;
+    candidate.slip = contact->slip - candidate.normal.dot(contact->slip) * candidate.normal;
+  }
+}
+
+Contact::Trial Contact::tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const {
+  const Vec3 stretch = stretchOf(candidate, time_step, v_end);
+  const double closing = candidate.normal.dot(stretch);
+  Trial trial;
+  trial.gap = pushedGap(candidate) + closing;
+  trial.slip = candidate.slip + stretch - closing * candidate.normal;
+  trial.presses = trial.gap < -TOUCHING * candidate.size;
+  // Where it slides, the spring that gives the friction there is: a secant, so the system stays symmetric.
+  const double most = settings_.friction * candidate.stiffness * std::max(0.0, -trial.gap), drag = trial.slip.norm();
+  trial.tangential = TANGENTIAL * candidate.stiffness;
+  if (trial.tangential * drag > most) trial.tangential = most / drag;
+  return trial;
+}
+
+bool Contact::update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
+  parallelFor(static_cast<int>(candidates_.size()), threads_,
+              [&](int i) { trials_[i] = tryAt(candidates_[i], time_step, v_end); });
+  double wrong = 0, all = 0, wrong_friction = 0;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const Trial &trial = trials_[i], &used = used_[i];
+    const double force = candidates_[i].stiffness * std::abs(trial.gap);
+    if (trial.presses != used.presses) wrong += force;
+    if (!trial.presses) continue;
+    all += force;
+    if (used.presses) wrong_friction += std::abs(trial.tangential - used.tangential) * trial.slip.norm();
+    Coupling coupling = candidates_[i].held;
+    const Candidate& candidate = candidates_[i];
+    const Mat3 across = candidate.normal * candidate.normal.transpose();
+    coupling.stiffness = candidate.stiffness * across + trial.tangential * (Mat3::Identity() - across);
+    coupling.force = coupling.stiffness * candidate.drift -
+                     candidate.stiffness * pushedGap(candidate) * candidate.normal - trial.tangential * candidate.slip;
+    couplings->push_back(coupling);
+  }
+  used_.swap(trials_);
+  return wrong > NORMAL_TOLERANCE * all || wrong_friction > FRICTION_TOLERANCE * settings_.friction * all;
+}
+
+ContactReport Contact::accept(double time_step, const std::vector<Vec3>& v_end) {
+  ContactReport report;
+  stuck_.clear();
+  for (const Candidate& candidate : candidates_) {
+    const Trial trial = tryAt(candidate, time_step, v_end);
+    if (!trial.presses) continue;
+    ++report.count;
+    report.deepest = std::max(report.deepest, -(candidate.gap + trial.gap - pushedGap(candidate)));
+    const bool of_body = candidate.partner == Candidate::BODY;
+    const int vertex = of_body ? surface_.samples[candidate.sample].vertex : candidate.sample;
+    stuck_.push_back({surface_.surface->vertices[vertex], of_body ? sideOf(candidate.sample) : 0, candidate.sample,
+                      candidate.partner, trial.tangential / (TANGENTIAL * candidate.stiffness) * trial.slip});
+  }
+  return report;
+}
+
+}  // namespace incision

@@ -1,0 +1,192 @@
+#include "incision/contact/fragments.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "incision/mesh/parallel.h"
+
+namespace incision {
+namespace {
+
+/// Triangles that a thread takes together.
+constexpr int CHUNK = 64;
+
+/// Faces meet where their normals are against each other, by at least 72° from being at right angles… to 180°.
+constexpr double MAX_COSINE = -0.3;
+
+/// How deep inside a sample may be, in elements; deeper, it is nearer to what lies on the other side.
+constexpr double MAX_DEPTH = 0.5;
+
+/// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.
+constexpr double MARGIN = 0.1;
+
+/// What a triangle is wider, as a share of it, so that a point above an edge falls on one of its two sides.
+constexpr double RIM = 1e-2;
+
+/// At rest closer than this, in elements, two points of a piece are neighbours, and what lies behind is material.
+constexpr double NEAR_AT_REST = 3;
+
+/// Cells further out are one: so far, numbers of cells are still exact.
+constexpr double MAX_CELL = 1e15;
+
+/// Gaps at rest, in elements, that are rounding: faces born together.
+constexpr double SAME_PLANE = 1e-6;
+
+/// Weights of the foot of p's perpendicular on a triangle, whose normal a has twice its area for length.
+Vec3 footOf(const Vec3& p, const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& a) {
+  const double square = a.squaredNorm();
+  const double w1 = (p - p0).cross(p2 - p0).dot(a) / square, w2 = (p1 - p0).cross(p - p0).dot(a) / square;
+  return {1 - w1 - w2, w1, w2};
+}
+
+Vec3 normalised(const Vec3& a) {
+  const double length = a.norm();
+  return length > 0 ? Vec3(a / length) : Vec3::Zero();
+}
+
+}  // namespace
+
+void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
+                          double time_step, double stiffness, int threads, std::vector<Candidate>* candidates) {
+  time_step_ = time_step;
+  measure(surface, x, threads);
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& velocity : v) mean += velocity / static_cast<double>(v.size());
+  double fastest = 0;
+  for (const Vec3& velocity : v) fastest = std::max(fastest, (velocity - mean).norm());
+  reach_ = std::min(MAX_DEPTH * surface.mean_size + 2 * time_step * fastest, surface.mean_size);
+  fillGrid(surface, x, surface.mean_size);
+
+  const int triangles = static_cast<int>(surface.surface->triangles.size());
+  found_.resize((triangles + CHUNK - 1) / CHUNK);
+  parallelFor(static_cast<int>(found_.size()), threads, [&](int chunk) {
+    found_[chunk].clear();
+    for (int t = chunk * CHUNK; t < std::min(triangles, (chunk + 1) * CHUNK); ++t)
+      pairTriangle(surface, x, v, t, &found_[chunk]);
+  });
+  best_.assign(surface.samples.size(), {0, -1, 0, Vec3::Zero()});
+  for (const std::vector<Pair>& pairs : found_)
+    for (const Pair& pair : pairs) {
+      Pair& best = best_[pair.sample];
+      if (best.triangle < 0 || std::abs(pair.gap) < std::abs(best.gap)) best = pair;
+    }
+  for (const Pair& pair : best_) {
+    if (pair.triangle < 0) continue;
+    const ContactSurface::Sample& sample = surface.samples[pair.sample];
+    Candidate candidate;
+    candidate.sample = pair.sample;
+    candidate.partner = Candidate::BODY;
+    candidate.normal = normals_[pair.triangle];
+    candidate.gap = pair.gap;
+    candidate.drift.setZero();
+    candidate.slip.setZero();
+    candidate.size = surface.size[sample.vertex];
+    // Both sides have samples, so each carries half.
+    candidate.stiffness = 0.5 * stiffness * sample.area / candidate.size;
+    addVertex(surface.surface->vertices[sample.vertex], 1, &candidate.held);
+    for (int k = 0; k < 3; ++k)
+      addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k],
+                &candidate.held);
+    candidates->push_back(candidate);
+  }
+}
+
+void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
+  const auto& triangles = surface.surface->triangles;
+  normals_.resize(triangles.size());
+  std::vector<Vec3>& areas = sample_normals_;  // not in use yet, and no smaller
+  areas.resize(std::max(triangles.size(), surface.samples.size()));
+  parallelFor(static_cast<int>(triangles.size()), threads, [&](int t) {
+    const auto& [a, b, c] = triangles[t];
+    areas[t] = (x[b] - x[a]).cross(x[c] - x[a]);
+    normals_[t] = normalised(areas[t]);
+  });
+  std::vector<Vec3> sums(surface.samples.size());
+  parallelFor(static_cast<int>(sums.size()), threads, [&](int s) {
+    Vec3 sum = Vec3::Zero();
+    for (int k = surface.samples[s].first; k < surface.samples[s].last; ++k) sum += areas[surface.around[k]];
+    sums[s] = normalised(sum);
+  });
+  sample_normals_.swap(sums);
+}
+
+FragmentFinder::Cell FragmentFinder::cellOf(const Vec3& point) const {
+  return (point / cell_).array().floor().max(-MAX_CELL).min(MAX_CELL).cast<std::int64_t>();
+}
+
+/// Mixes the three numbers by odd constants of many bits.
+int FragmentFinder::slotOf(const Cell& cell) const {
+  const Eigen::Array<std::uint64_t, 3, 1> u = cell.cast<std::uint64_t>();
+  const std::uint64_t h = (u[0] * 0x9E3779B97F4A7C15) ^ (u[1] * 0xC2B2AE3D27D4EB4F) ^ (u[2] * 0x165667B19E3779F9);
+  return static_cast<int>((h ^ (h >> 29)) % (slot_start_.size() - 1));
+}
+
+/// A hashed grid: cells that share a slot only cost time. A counting sort keeps it linear.
+void FragmentFinder::fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x, double cell) {
+  cell_ = cell;
+  slot_start_.assign(2 * surface.samples.size() + 2, 0);
+  slot_of_.resize(surface.samples.size());
+  for (std::size_t s = 0; s < slot_of_.size(); ++s) {
+    slot_of_[s] = slotOf(cellOf(x[surface.samples[s].vertex]));
+    ++slot_start_[slot_of_[s] + 1];
+  }
+  std::partial_sum(slot_start_.begin(), slot_start_.end(), slot_start_.begin());
+  slot_samples_.resize(slot_of_.size());
+  for (std::size_t s = 0; s < slot_of_.size(); ++s) slot_samples_[slot_start_[slot_of_[s]]++] = static_cast<int>(s);
+  // Each start has moved on to the next slot's.
+  std::copy_backward(slot_start_.begin(), slot_start_.end() - 1, slot_start_.end());
+  slot_start_[0] = 0;
+}
+
+void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
+                                  int triangle, std::vector<Pair>* pairs) {
+  if (normals_[triangle].isZero(0)) return;
+  Eigen::AlignedBox3d box;
+  for (int vertex : surface.surface->triangles[triangle]) box.extend(x[vertex]);
+  const Eigen::AlignedBox3d room(box.min().array() - reach_, box.max().array() + reach_);
+  const auto consider = [&](int sample) {
+    Pair pair;
+    if (room.contains(x[surface.samples[sample].vertex]) && meets(surface, x, v, triangle, sample, &pair))
+      pairs->push_back(pair);
+  };
+  const Cell first = cellOf(room.min()), last = cellOf(room.max());
+  if ((last - first + 1).cast<double>().prod() > static_cast<double>(surface.samples.size())) {
+    // A triangle stretched out of all proportion.
+    for (std::size_t s = 0; s < surface.samples.size(); ++s) consider(static_cast<int>(s));
+    return;
+  }
+  for (Cell cell = first; cell[0] <= last[0]; ++cell[0])
+    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
+      for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) {
+        const int slot = slotOf(cell);
+        for (int at = slot_start_[slot]; at < slot_start_[slot + 1]; ++at) consider(slot_samples_[at]);
+      }
+}
+
+bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
+                           int triangle, int sample, Pair* pair) const {
+  const Vec3& n = normals_[triangle];
+  if (!(n.dot(sample_normals_[sample]) < MAX_COSINE)) return false;
+  const int vertex = surface.samples[sample].vertex;
+  const auto& [a, b, c] = surface.surface->triangles[triangle];
+  if (vertex == a || vertex == b || vertex == c) return false;
+  const double size = surface.size[vertex];
+  const double gap = n.dot(x[vertex] - x[a]);
+  if (!(gap > -MAX_DEPTH * size && gap < reach_)) return false;
+  const Vec3 w = footOf(x[vertex], x[a], x[b], x[c], (x[b] - x[a]).cross(x[c] - x[a]));
+  if (!(w.minCoeff() > -RIM)) return false;
+  const Vec3 velocity = v[vertex] - w[0] * v[a] - w[1] * v[b] - w[2] * v[c];
+  if (!(gap + time_step_ * n.dot(velocity) < MARGIN * size)) return false;
+  if (surface.piece[triangle] == surface.vertex_piece[vertex]) {
+    const auto& X = surface.rest;
+    const Vec3 N = normalised((X[b] - X[a]).cross(X[c] - X[a]));
+    if (N.dot(X[vertex] - X[a]) < -SAME_PLANE * size && (X[vertex] - X[a]).norm() < NEAR_AT_REST * size) return false;
+  }
+  *pair = {sample, triangle, gap, w};
+  return true;
+}
+
+}  // namespace incision
