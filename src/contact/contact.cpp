@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "incision/mesh/parallel.h"
 
@@ -31,48 +30,39 @@ Vec3 stretchOf(const Candidate& candidate, double time_step, const std::vector<V
 /// The gap that the force counts from.
 double pushedGap(const Candidate& candidate) { return std::max(candidate.gap, -MAX_PUSH * candidate.size); }
 
-template <typename T>
-std::tuple<int, int> keyOf(const T& contact) {
-  return {contact.partner, contact.sample};
-}
-
 }  // namespace
 
 Contact::Contact(const ContactSettings& settings, Obstacles obstacles, double young_modulus, int threads)
-    : settings_(settings),
-      obstacles_(std::move(obstacles)),
-      stiffness_(CONTACT_STIFFNESS * young_modulus),
-      threads_(threads) {}
+    : settings_(settings), obstacles_(std::move(obstacles)), young_modulus_(young_modulus), threads_(threads) {}
 
 void Contact::surfaceChanged(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece) {
   surface_ = makeContactSurface(surface, mesh, piece);
+  fragments_.surfaceChanged();
   const auto before = [](const SurfaceVertex& a, const SurfaceVertex& b) {
     if (a.copies != b.copies) return a.copies < b.copies;
     return std::lexicographical_compare(a.weights.data(), a.weights.data() + 4, b.weights.data(), b.weights.data() + 4);
   };
   // Where a contact is now, if the cut has left its vertex alone.
-  std::sort(stuck_.begin(), stuck_.end(), [&](const Stuck& a, const Stuck& b) { return before(a.vertex, b.vertex); });
-  for (Stuck& contact : stuck_) contact.sample = -1;
-  const auto place = [&](int sample, int vertex, int side, bool of_body) {
+  std::sort(touches_.begin(), touches_.end(),
+            [&](const Touch& a, const Touch& b) { return before(a.vertex, b.vertex); });
+  for (Touch& contact : touches_) contact.sample = -1;
+  const auto place = [&](int sample, int vertex, int order, bool of_body) {
     const SurfaceVertex& at = surface.vertices[vertex];
-    auto contact = std::lower_bound(stuck_.begin(), stuck_.end(), at,
-                                    [&](const Stuck& a, const SurfaceVertex& b) { return before(a.vertex, b); });
-    for (; contact != stuck_.end() && !before(at, contact->vertex); ++contact)
-      if (contact->side == side && (contact->partner == Candidate::BODY) == of_body) contact->sample = sample;
+    auto contact = std::lower_bound(touches_.begin(), touches_.end(), at,
+                                    [&](const Touch& a, const SurfaceVertex& b) { return before(a.vertex, b); });
+    for (; contact != touches_.end() && !before(at, contact->vertex); ++contact)
+      if (contact->order == order && (contact->partner == Candidate::BODY) == of_body) contact->sample = sample;
   };
   for (int s = 0; s < static_cast<int>(surface_.samples.size()); ++s)
-    place(s, surface_.samples[s].vertex, sideOf(s), true);
+    place(s, surface_.samples[s].vertex, orderOf(s), true);
   for (int v = 0; v < static_cast<int>(surface.vertices.size()); ++v) place(v, v, 0, false);
-  stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(), [](const Stuck& contact) { return contact.sample < 0; }),
-               stuck_.end());
-  std::sort(stuck_.begin(), stuck_.end(), [](const Stuck& a, const Stuck& b) { return keyOf(a) < keyOf(b); });
+  touches_.erase(
+      std::remove_if(touches_.begin(), touches_.end(), [](const Touch& contact) { return contact.sample < 0; }),
+      touches_.end());
+  std::sort(touches_.begin(), touches_.end(), comesBefore<Touch, Touch>);
 }
 
-int Contact::sideOf(int sample) const {
-  int side = 0;
-  while (side < sample && surface_.samples[sample - side - 1].vertex == surface_.samples[sample].vertex) ++side;
-  return side;
-}
+int Contact::orderOf(int sample) const { return sample - surface_.sample_start[surface_.samples[sample].vertex]; }
 
 void Contact::begin(const Motion& motion, double time_step, const LinkMotion& links) {
   const auto& vertices = surface_.surface->vertices;
@@ -87,20 +77,22 @@ void Contact::begin(const Motion& motion, double time_step, const LinkMotion& li
     }
   });
   candidates_.clear();
-  if (settings_.self) fragments_.find(surface_, x_, v_, time_step, stiffness_, threads_, &candidates_);
-  findObstacleContacts(surface_, x_, v_, time_step, stiffness_, obstacles_, links, &candidates_);
-  findSlips();
+  if (settings_.self)
+    fragments_.find(surface_, x_, v_, time_step, CONTACT_STIFFNESS * young_modulus_, threads_, &candidates_);
+  findObstacleContacts(surface_, x_, v_, time_step, OBSTACLE_STIFFNESS * young_modulus_, obstacles_, links, touches_,
+                       &candidates_);
+  recallSlips();
   used_.assign(candidates_.size(), Trial());
   trials_.resize(candidates_.size());
 }
 
-/// Takes what stuck before into the candidates, which are in the same order.
-void Contact::findSlips() {
-  auto contact = stuck_.begin();
+/// Takes how far contacts had dragged into the candidates.
+void Contact::recallSlips() {
+  auto touch = touches_.begin();
   for (Candidate& candidate : candidates_) {
-    while (contact != stuck_.end() && keyOf(*contact) < keyOf(candidate)) ++contact;
-    if (contact == stuck_.end() || keyOf(*contact) != keyOf(candidate)) continue;
-    candidate.slip = contact->slip - candidate.normal.dot(contact->slip) * candidate.normal;
+    while (touch != touches_.end() && comesBefore(*touch, candidate)) ++touch;
+    if (touch == touches_.end() || comesBefore(candidate, *touch)) continue;
+    candidate.slip = touch->slip - candidate.normal.dot(touch->slip) * candidate.normal;
   }
 }
 
@@ -143,16 +135,19 @@ bool Contact::update(double time_step, const std::vector<Vec3>& v_end, std::vect
 
 ContactReport Contact::accept(double time_step, const std::vector<Vec3>& v_end) {
   ContactReport report;
-  stuck_.clear();
+  touches_.clear();
   for (const Candidate& candidate : candidates_) {
     const Trial trial = tryAt(candidate, time_step, v_end);
     if (!trial.presses) continue;
     ++report.count;
+    const double drag = trial.tangential / (TANGENTIAL * candidate.stiffness);
+    report.energy +=
+        0.5 * candidate.stiffness * (trial.gap * trial.gap + TANGENTIAL * (drag * trial.slip).squaredNorm());
     report.deepest = std::max(report.deepest, -(candidate.gap + trial.gap - pushedGap(candidate)));
     const bool of_body = candidate.partner == Candidate::BODY;
     const int vertex = of_body ? surface_.samples[candidate.sample].vertex : candidate.sample;
-    stuck_.push_back({surface_.surface->vertices[vertex], of_body ? sideOf(candidate.sample) : 0, candidate.sample,
-                      candidate.partner, trial.tangential / (TANGENTIAL * candidate.stiffness) * trial.slip});
+    touches_.push_back({candidate.sample, candidate.partner, drag * trial.slip, candidate.side,
+                        surface_.surface->vertices[vertex], of_body ? orderOf(candidate.sample) : 0});
   }
   return report;
 }

@@ -38,8 +38,11 @@ class Builder {
     std::vector<int> round(count.back()), next(count.begin(), count.end() - 1);
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (int v : triangles[t]) round[next[v]++] = static_cast<int>(t);
-    for (std::size_t v = 0; v < vertices; ++v)
+    for (std::size_t v = 0; v < vertices; ++v) {
+      made_.sample_start.push_back(static_cast<int>(made_.samples.size()));
       addSamples(static_cast<int>(v), {round.begin() + count[v], round.begin() + count[v + 1]});
+    }
+    made_.sample_start.push_back(static_cast<int>(made_.samples.size()));
   }
 
  private:

@@ -20,11 +20,14 @@ constexpr double MAX_COSINE = -0.3;
 /// How deep inside a sample may be, in elements; deeper, it is nearer to what lies on the other side.
 constexpr double MAX_DEPTH = 0.5;
 
-/// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.
-constexpr double MARGIN = 0.1;
+/// How far, in elements, the search looks beyond its reach, so that it need not be repeated in each step.
+constexpr double SKIN = 0.05;
 
 /// What a triangle is wider, as a share of it, so that a point above an edge falls on one of its two sides.
 constexpr double RIM = 1e-2;
+
+/// A foot with more than this weight on a corner is that corner: twins, as on two faces born together, are one contact.
+constexpr double TWIN = 0.98;
 
 /// At rest closer than this, in elements, two points of a piece are neighbours, and what lies behind is material.
 constexpr double NEAR_AT_REST = 3;
@@ -51,21 +54,56 @@ Vec3 normalised(const Vec3& a) {
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
                           double time_step, double stiffness, int threads, std::vector<Candidate>* candidates) {
-  time_step_ = time_step;
   measure(surface, x, threads);
+  if (!isFresh(x, v, time_step)) search(surface, x, v, time_step, threads);
+  for (const Pair& pair : best_) {
+    if (pair.triangle < 0) continue;
+    const int twin = twinOf(surface, pair);
+    if (twin >= 0 && twin < pair.sample) continue;
+    const Pair now = placed(surface, x, pair);
+    const auto& [a, b, c] = surface.surface->triangles[now.triangle];
+    const int vertex = surface.samples[now.sample].vertex;
+    const Vec3 velocity = v[vertex] - now.weights[0] * v[a] - now.weights[1] * v[b] - now.weights[2] * v[c];
+    if (now.gap + time_step * normals_[now.triangle].dot(velocity) < MARGIN * surface.size[vertex])
+      candidates->push_back(candidate(surface, now, twin < 0 ? 0.5 : 1, stiffness));
+  }
+}
+
+/// Whether the pairs found last still hold: no vertex has moved, or moves in this step, further than the search looked
+/// beyond its reach. What all vertices have moved alike does not count.
+bool FragmentFinder::isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step) const {
+  if (searched_x_.size() != x.size()) return false;
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 0; i < x.size(); ++i) mean += (x[i] - searched_x_[i]) / static_cast<double>(x.size());
+  const double ahead = time_step * fastest(v);
+  double farthest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    farthest = std::max(farthest, (x[i] - searched_x_[i] - mean).squaredNorm());
+  return std::sqrt(farthest) + ahead < skin_;
+}
+
+/// The largest speed beside the mean [m/s].
+double FragmentFinder::fastest(const std::vector<Vec3>& v) const {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& velocity : v) mean += velocity / static_cast<double>(v.size());
-  double fastest = 0;
-  for (const Vec3& velocity : v) fastest = std::max(fastest, (velocity - mean).norm());
-  reach_ = std::min(MAX_DEPTH * surface.mean_size + 2 * time_step * fastest, surface.mean_size);
-  fillGrid(surface, x, surface.mean_size);
+  double square = 0;
+  for (const Vec3& velocity : v) square = std::max(square, (velocity - mean).squaredNorm());
+  return std::sqrt(square);
+}
 
+void FragmentFinder::search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
+                            double time_step, int threads) {
+  searched_x_ = x;
+  skin_ = SKIN * surface.mean_size + time_step * fastest(v);
+  const double depth = MAX_DEPTH * surface.mean_size;
+  reach_ = std::min(depth + 2 * skin_, depth + surface.mean_size);
+  fillGrid(surface, x, surface.mean_size);
   const int triangles = static_cast<int>(surface.surface->triangles.size());
   found_.resize((triangles + CHUNK - 1) / CHUNK);
   parallelFor(static_cast<int>(found_.size()), threads, [&](int chunk) {
     found_[chunk].clear();
     for (int t = chunk * CHUNK; t < std::min(triangles, (chunk + 1) * CHUNK); ++t)
-      pairTriangle(surface, x, v, t, &found_[chunk]);
+      pairTriangle(surface, x, t, &found_[chunk]);
   });
   best_.assign(surface.samples.size(), {0, -1, 0, Vec3::Zero()});
   for (const std::vector<Pair>& pairs : found_)
@@ -73,25 +111,49 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
       Pair& best = best_[pair.sample];
       if (best.triangle < 0 || std::abs(pair.gap) < std::abs(best.gap)) best = pair;
     }
-  for (const Pair& pair : best_) {
-    if (pair.triangle < 0) continue;
-    const ContactSurface::Sample& sample = surface.samples[pair.sample];
-    Candidate candidate;
-    candidate.sample = pair.sample;
-    candidate.partner = Candidate::BODY;
-    candidate.normal = normals_[pair.triangle];
-    candidate.gap = pair.gap;
-    candidate.drift.setZero();
-    candidate.slip.setZero();
-    candidate.size = surface.size[sample.vertex];
-    // Both sides have samples, so each carries half.
-    candidate.stiffness = 0.5 * stiffness * sample.area / candidate.size;
-    addVertex(surface.surface->vertices[sample.vertex], 1, &candidate.held);
+}
+
+/// The pair with its gap and foot as they are at `x`.
+FragmentFinder::Pair FragmentFinder::placed(const ContactSurface& surface, const std::vector<Vec3>& x,
+                                            const Pair& pair) const {
+  const auto& [a, b, c] = surface.surface->triangles[pair.triangle];
+  const Vec3& p = x[surface.samples[pair.sample].vertex];
+  return {pair.sample, pair.triangle, normals_[pair.triangle].dot(p - x[a]),
+          footOf(p, x[a], x[b], x[c], (x[b] - x[a]).cross(x[c] - x[a]))};
+}
+
+/// The sample that has this one for its foot as this one has it, or −1.
+int FragmentFinder::twinOf(const ContactSurface& surface, const Pair& pair) const {
+  const auto cornerOver = [&](const Pair& over, int vertex) {
     for (int k = 0; k < 3; ++k)
-      addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k],
-                &candidate.held);
-    candidates->push_back(candidate);
-  }
+      if (over.weights[k] > TWIN && (vertex < 0 || surface.surface->triangles[over.triangle][k] == vertex))
+        return surface.surface->triangles[over.triangle][k];
+    return -1;
+  };
+  const int foot = cornerOver(pair, -1);
+  if (foot < 0) return -1;
+  for (int s = surface.sample_start[foot]; s < surface.sample_start[foot + 1]; ++s)
+    if (best_[s].triangle >= 0 && cornerOver(best_[s], surface.samples[pair.sample].vertex) >= 0) return s;
+  return -1;
+}
+
+Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& pair, double share,
+                                    double stiffness) const {
+  const ContactSurface::Sample& sample = surface.samples[pair.sample];
+  Candidate made;
+  made.sample = pair.sample;
+  made.partner = Candidate::BODY;
+  made.normal = normals_[pair.triangle];
+  made.gap = pair.gap;
+  made.drift.setZero();
+  made.slip.setZero();
+  made.side.setZero();
+  made.size = surface.size[sample.vertex];
+  made.stiffness = share * stiffness * sample.area / made.size;
+  addVertex(surface.surface->vertices[sample.vertex], 1, &made.held);
+  for (int k = 0; k < 3; ++k)
+    addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k], &made.held);
+  return made;
 }
 
 void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
@@ -141,15 +203,15 @@ void FragmentFinder::fillGrid(const ContactSurface& surface, const std::vector<V
   slot_start_[0] = 0;
 }
 
-void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
-                                  int triangle, std::vector<Pair>* pairs) {
+void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle,
+                                  std::vector<Pair>* pairs) const {
   if (normals_[triangle].isZero(0)) return;
   Eigen::AlignedBox3d box;
   for (int vertex : surface.surface->triangles[triangle]) box.extend(x[vertex]);
   const Eigen::AlignedBox3d room(box.min().array() - reach_, box.max().array() + reach_);
   const auto consider = [&](int sample) {
     Pair pair;
-    if (room.contains(x[surface.samples[sample].vertex]) && meets(surface, x, v, triangle, sample, &pair))
+    if (room.contains(x[surface.samples[sample].vertex]) && meets(surface, x, triangle, sample, &pair))
       pairs->push_back(pair);
   };
   const Cell first = cellOf(room.min()), last = cellOf(room.max());
@@ -166,27 +228,20 @@ void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vect
       }
 }
 
-bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
-                           int triangle, int sample, Pair* pair) const {
-  const Vec3& n = normals_[triangle];
-  if (!(n.dot(sample_normals_[sample]) < MAX_COSINE)) return false;
+/// Whether a sample lies before or just behind a triangle that faces it, with nothing of its own in between.
+bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample,
+                           Pair* pair) const {
+  if (!(normals_[triangle].dot(sample_normals_[sample]) < MAX_COSINE)) return false;
   const int vertex = surface.samples[sample].vertex;
   const auto& [a, b, c] = surface.surface->triangles[triangle];
   if (vertex == a || vertex == b || vertex == c) return false;
   const double size = surface.size[vertex];
-  const double gap = n.dot(x[vertex] - x[a]);
-  if (!(gap > -MAX_DEPTH * size && gap < reach_)) return false;
-  const Vec3 w = footOf(x[vertex], x[a], x[b], x[c], (x[b] - x[a]).cross(x[c] - x[a]));
-  if (!(w.minCoeff() > -RIM)) return false;
-  const Vec3 velocity = v[vertex] - w[0] * v[a] - w[1] * v[b] - w[2] * v[c];
-  if (!(gap + time_step_ * n.dot(velocity) < MARGIN * size)) return false;
-  if (surface.piece[triangle] == surface.vertex_piece[vertex]) {
-    const auto& X = surface.rest;
-    const Vec3 N = normalised((X[b] - X[a]).cross(X[c] - X[a]));
-    if (N.dot(X[vertex] - X[a]) < -SAME_PLANE * size && (X[vertex] - X[a]).norm() < NEAR_AT_REST * size) return false;
-  }
-  *pair = {sample, triangle, gap, w};
-  return true;
+  *pair = placed(surface, x, {sample, triangle, 0, Vec3::Zero()});
+  if (!(pair->gap > -MAX_DEPTH * size && pair->gap < reach_ && pair->weights.minCoeff() > -RIM)) return false;
+  if (surface.piece[triangle] != surface.vertex_piece[vertex]) return true;
+  const auto& X = surface.rest;
+  const Vec3 N = normalised((X[b] - X[a]).cross(X[c] - X[a])), from = X[vertex] - X[a];
+  return !(N.dot(from) < -SAME_PLANE * size && from.norm() < NEAR_AT_REST * size);
 }
 
 }  // namespace incision

@@ -5,9 +5,6 @@
 namespace incision {
 namespace {
 
-/// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.
-constexpr double MARGIN = 0.1;
-
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
 /// Radius of a ball round the shape's origin that holds it [m].
@@ -38,11 +35,19 @@ MovingShape placeShape(const Obstacle& obstacle, const LinkMotion& motion) {
           toIsometry(motion.to[obstacle.link]) * in_link};
 }
 
+/// From the nearest point, but on the side on which the point was, if it was.
+ShapeDistance distanceFrom(const Vec3* side, const Shape& shape, const Vec3& point) {
+  const ShapeDistance nearest = distanceTo(shape, point);
+  if (!side || nearest.distance >= 0 || nearest.normal.dot(*side) > 0) return nearest;
+  return {side->dot(point) - reachAlong(shape, *side), *side};
+}
+
 }  // namespace
 
 void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
                           double time_step, double stiffness, const Obstacles& obstacles, const LinkMotion& motion,
-                          std::vector<Candidate>* candidates) {
+                          const std::vector<Touch>& touches, std::vector<Candidate>* candidates) {
+  auto touch = touches.begin();
   for (std::size_t o = 0; o < obstacles.shapes.size(); ++o) {
     const MovingShape shape = placeShape(obstacles.shapes[o], motion);
     const double reach = reachOf(shape.shape);
@@ -54,11 +59,14 @@ void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>
       const double room = reach + moved + MARGIN * size + time_step * v[i].norm();
       if (!((x[i] - shape.from.translation()).squaredNorm() <= room * room) || !(area > 0)) continue;
       const Vec3 local = shape.from.inverse(Eigen::Isometry) * x[i];
-      const ShapeDistance nearest = distanceTo(shape.shape, local);
-      const Vec3 foot = local - nearest.distance * nearest.normal;
       Candidate candidate;
       candidate.sample = static_cast<int>(i);
       candidate.partner = static_cast<int>(o);
+      while (touch != touches.end() && comesBefore(*touch, candidate)) ++touch;
+      const bool touched = touch != touches.end() && !comesBefore(candidate, *touch);
+      const ShapeDistance nearest = distanceFrom(touched ? &touch->side : nullptr, shape.shape, local);
+      const Vec3 foot = local - nearest.distance * nearest.normal;
+      candidate.side = nearest.normal;
       candidate.normal = shape.to.linear() * nearest.normal;
       candidate.gap = candidate.normal.dot(x[i] - shape.from * foot);
       candidate.drift = shape.to * foot - shape.from * foot;

@@ -1,6 +1,7 @@
 #include "incision/contact/shape.h"
 
 #include <cmath>
+#include <limits>
 
 namespace incision {
 namespace {
@@ -60,6 +61,20 @@ ShapeDistance distanceTo(const Shape& shape, const Vec3& point) {
       break;
   }
   return {point.z(), Vec3::UnitZ()};
+}
+
+double reachAlong(const Shape& shape, const Vec3& n) {
+  switch (shape.kind) {
+    case ShapeKind::SPHERE:
+      return shape.size[0];
+    case ShapeKind::BOX:
+      return n.cwiseAbs().dot(shape.size) / 2;
+    case ShapeKind::CYLINDER:
+      return shape.size[0] * std::hypot(n.x(), n.y()) + shape.size[2] / 2 * std::abs(n.z());
+    case ShapeKind::HALF_SPACE:
+      break;
+  }
+  return n.z() == 1 ? 0 : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace incision

@@ -98,7 +98,7 @@ TEST_F(Batch, EndsWithOneLineOfJsonWithEveryKey) {
                       "steps",    "time",           "nodes",          "elements",         "crack_elements", "parts",
                       "copies",   "dofs",           "cracks",         "pieces",           "piece_volumes",  "mass",
                       "momentum", "kinetic_energy", "elastic_energy", "max_displacement", "iterations",     "residual",
-                      "step_ms",  "phase_ms",       "peak_rss_mb",    "state_hash"}));
+                      "step_ms",  "phase_ms",       "contacts",       "peak_rss_mb",      "state_hash"}));
   EXPECT_EQ(line["steps"], 3);
   EXPECT_EQ(line["nodes"], 20);
   EXPECT_EQ(line["elements"], 24);

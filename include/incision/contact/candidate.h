@@ -1,12 +1,20 @@
 #pragma once
 
 #include "incision/solver/coupling.h"
+#include "incision/surface/surface.h"
 
 namespace incision {
 
-/// The contact is this much stiffer than the layer of elements it lies on: κ = STIFFNESS E/h [Pa/m]. A pressure p then
-/// presses in by p h/(STIFFNESS E): below 1 % of an element up to p = E. More costs iterations between pieces.
-inline constexpr double CONTACT_STIFFNESS = 100;
+/// Between pieces the contact is this much stiffer than the layer of elements it lies on: κ = CONTACT_STIFFNESS E/h
+/// [Pa/m]. A pressure p presses in by p h/(CONTACT_STIFFNESS E): below 1 % of an element up to p = E/5, where the body
+/// itself gives way by a fifth. More costs iterations, as the root of it.
+inline constexpr double CONTACT_STIFFNESS = 20;
+
+/// The same against obstacles, where it costs nothing.
+inline constexpr double OBSTACLE_STIFFNESS = 200;
+
+/// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.
+inline constexpr double MARGIN = 0.1;
 
 /// Depth, in elements, beyond which the push does not grow any more: what begins deep inside is brought out over some
 /// steps, not shot out in one.
@@ -22,9 +30,25 @@ struct Candidate {
   double stiffness;  ///< k [N/m]
   double size;       ///< h of the elements there [m]
   Vec3 slip;         ///< s, tangential: how far the point has dragged on the partner, elastically [m]
+  Vec3 side;         ///< the normal in the frame of the obstacle's shape
   Coupling held;     ///< y: the point less what it meets on the body; its stiffness and force are for update()
 
   static constexpr int BODY = -1;
 };
+
+/// What a contact leaves for the next step.
+struct Touch {
+  int sample, partner;   ///< as of the Candidate
+  Vec3 slip;             ///< at the end of the step [m]
+  Vec3 side;             ///< as of the Candidate
+  SurfaceVertex vertex;  ///< where it is, and
+  int order;             ///< which of the vertex's samples: so that it is found again after a cut
+};
+
+/// Contacts are in the order of their partners, and then of their samples.
+template <typename T, typename U>
+bool comesBefore(const T& a, const U& b) {
+  return a.partner != b.partner ? a.partner < b.partner : a.sample < b.sample;
+}
 
 }  // namespace incision

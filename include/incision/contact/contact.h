@@ -13,6 +13,7 @@ namespace incision {
 struct ContactReport {
   int count = 0;       ///< points that were pressed
   double deepest = 0;  ///< largest depth of one of them at the end of the step [m]
+  double energy = 0;   ///< in the springs that press and drag [J]
 };
 
 /// Contact of a body with obstacles and with itself, implicit in the step. At each place where a point may touch a
@@ -36,8 +37,8 @@ class Contact {
   /// Takes the step as done, with these velocities at its end.
   ContactReport accept(double time_step, const std::vector<Vec3>& v_end);
 
-  /// Forgets what stuck to what.
-  void reset() { stuck_.clear(); }
+  /// Forgets what touched.
+  void reset() { touches_.clear(); }
 
   const Obstacles& obstacles() const { return obstacles_; }
 
@@ -49,27 +50,19 @@ class Contact {
     double tangential;  ///< k_t, or less where it slides [N/m]
     bool presses;
   };
-  /// What is left of a contact for the next step; the surface's vertex says where it is.
-  struct Stuck {
-    SurfaceVertex vertex;
-    int side;  ///< which of the vertex's samples
-    int sample, partner;
-    Vec3 slip;
-  };
-
   Trial tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const;
-  void findSlips();
-  int sideOf(int sample) const;
+  void recallSlips();
+  int orderOf(int sample) const;
 
   ContactSettings settings_;
   Obstacles obstacles_;
-  double stiffness_;  // of a square metre of one metre's elements: STIFFNESS E [Pa]
+  double young_modulus_;  // [Pa]
   int threads_;
   ContactSurface surface_;
   FragmentFinder fragments_;
   std::vector<Candidate> candidates_;  // by partner and sample
   std::vector<Trial> trials_, used_;   // of each; used_ is what the last couplings stand for
-  std::vector<Stuck> stuck_;           // by partner and sample
+  std::vector<Touch> touches_;         // by partner and sample
   std::vector<Vec3> x_, v_;            // of the surface's vertices
 };
 

@@ -19,10 +19,11 @@ struct ContactSurface {
   };
 
   const Surface* surface = nullptr;
-  std::vector<Vec3> rest;         ///< of each vertex [m]
-  std::vector<double> size;       ///< of the elements round each vertex, the mean of ∛(6 V_e) [m]: a grid's cell
-  std::vector<double> area;       ///< of each vertex: a third of its triangles' at rest [m²]
-  std::vector<Sample> samples;    ///< by vertex
+  std::vector<Vec3> rest;       ///< of each vertex [m]
+  std::vector<double> size;     ///< of the elements round each vertex, the mean of ∛(6 V_e) [m]: a grid's cell
+  std::vector<double> area;     ///< of each vertex: a third of its triangles' at rest [m²]
+  std::vector<Sample> samples;  ///< by vertex
+  std::vector<int> sample_start;  ///< those of vertex v are samples[sample_start[v]] … samples[sample_start[v + 1] − 1]
   std::vector<int> around;        ///< triangles
   std::vector<int> piece;         ///< of each triangle
   std::vector<int> vertex_piece;  ///< of each vertex

@@ -12,6 +12,9 @@ namespace incision {
 /// itself. Time and memory are linear in the surface.
 class FragmentFinder {
  public:
+  /// Before the first search and whenever the surface changes.
+  void surfaceChanged() { searched_x_.clear(); }
+
   /// Candidates for a step of `time_step` [s] from positions `x` [m] and velocities `v` [m/s] of the surface's
   /// vertices, appended in the order of the samples, at most one for each. A sample has a candidate where it lies
   /// before or just behind a triangle that faces it, and where the two could meet within the step.
@@ -31,15 +34,22 @@ class FragmentFinder {
   using Cell = Eigen::Array<std::int64_t, 3, 1>;
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
+  bool isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step) const;
+  double fastest(const std::vector<Vec3>& v) const;
+  void search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step,
+              int threads);
   void fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x, double cell);
-  void pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, int triangle,
-                    std::vector<Pair>* pairs);
-  bool meets(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, int triangle,
-             int sample, Pair* pair) const;
+  void pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle,
+                    std::vector<Pair>* pairs) const;
+  bool meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample, Pair* pair) const;
+  Pair placed(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair) const;
+  int twinOf(const ContactSurface& surface, const Pair& pair) const;
+  Candidate candidate(const ContactSurface& surface, const Pair& pair, double share, double stiffness) const;
   Cell cellOf(const Vec3& point) const;
   int slotOf(const Cell& cell) const;
 
-  double cell_ = 0, reach_ = 0, time_step_ = 0;
+  double cell_ = 0, reach_ = 0, skin_ = 0;
+  std::vector<Vec3> searched_x_;      // where the vertices were at the last search
   std::vector<Vec3> normals_;         // of each triangle, unit or zero
   std::vector<Vec3> sample_normals_;  // the same
   // Samples by the slot of the grid's cell they lie in: slot_samples_[slot_start_[s]] …

@@ -16,9 +16,10 @@ struct LinkMotion {
 /// Candidates of the surface's vertices against each obstacle, for a step of `time_step` [s] from positions `x` [m] and
 /// velocities `v` [m/s] of the vertices, appended in the order of the obstacles and then of the vertices. The plane of
 /// a candidate is the obstacle's at the point of it that is nearest when the step starts, carried along with it: a body
-/// that starts on one side stays there, however fast it is and however thin the obstacle.
+/// that starts on one side stays there, however fast it is and however thin the obstacle: `touches`, the contacts of
+/// the last step, tell on which side points are that have been pressed in.
 void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
                           double time_step, double stiffness, const Obstacles& obstacles, const LinkMotion& motion,
-                          std::vector<Candidate>* candidates);
+                          const std::vector<Touch>& touches, std::vector<Candidate>* candidates);
 
 }  // namespace incision

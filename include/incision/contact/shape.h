@@ -25,4 +25,8 @@ struct ShapeDistance {
 /// them.
 ShapeDistance distanceTo(const Shape& shape, const Vec3& point);
 
+/// Largest n·q over the points q of the shape, for a unit vector n: how far it reaches that way [m]. Infinite for a
+/// half space, but along its normal.
+double reachAlong(const Shape& shape, const Vec3& n);
+
 }  // namespace incision
