@@ -15,8 +15,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 
 SKIN, CUT_FACE, OBSTACLE = (0.80, 0.36, 0.33), (0.95, 0.72, 0.55), (0.75, 0.77, 0.80)  # the first two as in rviz
-HEIGHT, DPI = 3, 100        # of the picture [inch]
-WIDTHS = (1.5, 6)           # of one snapshot, least and most [inch]
+DPI = 100
+LARGEST = (8, 3)            # width and height of the picture [inch]
 MARGIN = 0.02               # round each, as a share of its larger extent
 SPHERE_RINGS = 24
 
@@ -53,7 +53,8 @@ def draw(axes, seen, colours):
     facing = normals[:, 2] / np.maximum(np.linalg.norm(normals, axis=1), np.finfo(float).tiny)
     order = [t for t in np.argsort(seen[:, :, 2].mean(axis=1)) if facing[t] > 0]
     lit = (colours * (0.6 + 0.4 * facing[:, None]))[order]
-    axes.add_collection(PolyCollection(seen[order, :, :2], facecolors=lit, edgecolors=0.85 * lit, linewidths=0.4))
+    axes.add_collection(PolyCollection(seen[order, :, :2], facecolors=lit, edgecolors=0.85 * lit, linewidths=0.4,
+                                       snap=False))
     axes.set_axis_off()
 
 
@@ -83,8 +84,8 @@ def main():
     upper = np.max([seen[:, :, :2].max(axis=(0, 1)) for seen, _ in bodies], axis=0)
     margin = MARGIN * (upper - lower).max()
     width, height = upper - lower + 2 * margin
-    size = np.clip(HEIGHT * width / height, *WIDTHS)
-    figure, axes = plt.subplots(1, len(bodies), squeeze=False, figsize=(size * len(bodies), HEIGHT))
+    size = np.array([len(bodies) * width, height])
+    figure, axes = plt.subplots(1, len(bodies), squeeze=False, figsize=size * (LARGEST / size).min())
     figure.subplots_adjust(0, 0, 1, 1, 0, 0)
     for panel, (seen, colours) in zip(axes[0], bodies):
         draw(panel, seen, colours)
