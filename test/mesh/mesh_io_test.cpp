@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <sstream>
+#include <string>
 
 #include "incision/mesh/input_error.h"
 
@@ -276,12 +278,15 @@ TEST(MeshIo, FilesThatCannotBeReadAreNamed) {
   EXPECT_THROW(readGmsh(std::filesystem::temp_directory_path().string()), InputError);
 }
 
-TEST(MeshIo, TheOrganReadsWithoutRepairs) {
+TEST(MeshIo, ShippedMeshesReadWithoutRepairs) {
   const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  MeshRepairs repairs;
-  const TetMesh mesh = readGmsh((root / "config/meshes/organ.msh").string(), &repairs);
-  EXPECT_GT(mesh.elements.size(), 3000u);
-  EXPECT_EQ(repairs.reoriented + repairs.unreferenced_nodes + repairs.skipped_elements, 0);
+  const std::map<std::string, std::size_t> elements = {{"organ", 5909}, {"animal", 3930}, {"figure", 1319}};
+  for (const auto& [name, count] : elements) {
+    MeshRepairs repairs;
+    const TetMesh mesh = readGmsh((root / "config/meshes" / (name + ".msh")).string(), &repairs);
+    EXPECT_EQ(mesh.elements.size(), count) << name;
+    EXPECT_EQ(repairs.reoriented + repairs.unreferenced_nodes + repairs.skipped_elements, 0) << name;
+  }
 }
 
 }  // namespace
