@@ -27,9 +27,6 @@ Vec3 stretchOf(const Candidate& candidate, double time_step, const std::vector<V
   return time_step * rate - candidate.drift;
 }
 
-/// The gap that the force counts from.
-double pushedGap(const Candidate& candidate) { return std::max(candidate.gap, -MAX_PUSH * candidate.size); }
-
 }  // namespace
 
 Contact::Contact(const ContactSettings& settings, Obstacles obstacles, double young_modulus, int threads)
@@ -81,17 +78,21 @@ void Contact::begin(const Motion& motion, double time_step, const LinkMotion& li
     fragments_.find(surface_, x_, v_, time_step, CONTACT_STIFFNESS * young_modulus_, threads_, &candidates_);
   findObstacleContacts(surface_, x_, v_, time_step, OBSTACLE_STIFFNESS * young_modulus_, obstacles_, links, touches_,
                        &candidates_);
-  recallSlips();
+  recall(time_step);
   used_.assign(candidates_.size(), Trial());
   trials_.resize(candidates_.size());
 }
 
-/// Takes how far contacts had dragged into the candidates.
-void Contact::recallSlips() {
+/// Takes over what the contacts of the last step have left.
+void Contact::recall(double time_step) {
   auto touch = touches_.begin();
   for (Candidate& candidate : candidates_) {
+    const double depth = std::max(0.0, -candidate.gap);
+    candidate.ignored = depth;
     while (touch != touches_.end() && comesBefore(*touch, candidate)) ++touch;
     if (touch == touches_.end() || comesBefore(candidate, *touch)) continue;
+    const double left = std::max(touch->ignored - RECOVERY * candidate.size * time_step, touch->gap - candidate.gap);
+    candidate.ignored = std::clamp(left, 0.0, depth);
     candidate.slip = touch->slip - candidate.normal.dot(touch->slip) * candidate.normal;
   }
 }
@@ -100,7 +101,7 @@ Contact::Trial Contact::tryAt(const Candidate& candidate, double time_step, cons
   const Vec3 stretch = stretchOf(candidate, time_step, v_end);
   const double closing = candidate.normal.dot(stretch);
   Trial trial;
-  trial.gap = pushedGap(candidate) + closing;
+  trial.gap = candidate.gap + candidate.ignored + closing;
   trial.slip = candidate.slip + stretch - closing * candidate.normal;
   trial.presses = trial.gap < -TOUCHING * candidate.size;
   // Where it slides, the spring that gives the friction there is: a secant, so the system stays symmetric.
@@ -126,7 +127,8 @@ bool Contact::update(double time_step, const std::vector<Vec3>& v_end, std::vect
     const Mat3 across = candidate.normal * candidate.normal.transpose();
     coupling.stiffness = candidate.stiffness * across + trial.tangential * (Mat3::Identity() - across);
     coupling.force = coupling.stiffness * candidate.drift -
-                     candidate.stiffness * pushedGap(candidate) * candidate.normal - trial.tangential * candidate.slip;
+                     candidate.stiffness * (candidate.gap + candidate.ignored) * candidate.normal -
+                     trial.tangential * candidate.slip;
     couplings->push_back(coupling);
   }
   used_.swap(trials_);
@@ -143,11 +145,11 @@ ContactReport Contact::accept(double time_step, const std::vector<Vec3>& v_end) 
     const double drag = trial.tangential / (TANGENTIAL * candidate.stiffness);
     report.energy +=
         0.5 * candidate.stiffness * (trial.gap * trial.gap + TANGENTIAL * (drag * trial.slip).squaredNorm());
-    report.deepest = std::max(report.deepest, -(candidate.gap + trial.gap - pushedGap(candidate)));
+    report.deepest = std::max(report.deepest, candidate.ignored - trial.gap);
     const bool of_body = candidate.partner == Candidate::BODY;
     const int vertex = of_body ? surface_.samples[candidate.sample].vertex : candidate.sample;
-    touches_.push_back({candidate.sample, candidate.partner, drag * trial.slip, candidate.side,
-                        surface_.surface->vertices[vertex], of_body ? orderOf(candidate.sample) : 0});
+    touches_.push_back({candidate.sample, candidate.partner, trial.gap, candidate.ignored, drag * trial.slip,
+                        candidate.side, surface_.surface->vertices[vertex], of_body ? orderOf(candidate.sample) : 0});
   }
   return report;
 }

@@ -16,9 +16,10 @@ inline constexpr double OBSTACLE_STIFFNESS = 200;
 /// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.
 inline constexpr double MARGIN = 0.1;
 
-/// Depth, in elements, beyond which the push does not grow any more: what begins deep inside is brought out over some
-/// steps, not shot out in one.
-inline constexpr double MAX_PUSH = 0.1;
+/// A contact that begins inside, as where corners slide past each other or a scene starts with an overlap, or that gets
+/// deeper by coming upon another plane, leaves that depth alone at first and works it off at this speed, in elements a
+/// second: a spring that is there at once would come with energy from nowhere, and shoot the body out.
+inline constexpr double RECOVERY = 1;
 
 /// A place where a point of the surface may touch a plane in this step.
 struct Candidate {
@@ -26,6 +27,7 @@ struct Candidate {
   int partner;       ///< the obstacle, or BODY
   Vec3 normal;       ///< n, unit, from the partner to the point
   double gap;        ///< g [m] when the step starts, negative inside
+  double ignored;    ///< depth that the force leaves alone, in which the contact began [m]
   Vec3 drift;        ///< of the partner in the step, where it is an obstacle [m]
   double stiffness;  ///< k [N/m]
   double size;       ///< h of the elements there [m]
@@ -39,6 +41,8 @@ struct Candidate {
 /// What a contact leaves for the next step.
 struct Touch {
   int sample, partner;   ///< as of the Candidate
+  double gap;            ///< at the end of the step, less the depth that is ignored [m]
+  double ignored;        ///< as of the Candidate
   Vec3 slip;             ///< at the end of the step [m]
   Vec3 side;             ///< as of the Candidate
   SurfaceVertex vertex;  ///< where it is, and

@@ -51,7 +51,7 @@ class Contact {
     bool presses;
   };
   Trial tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const;
-  void recallSlips();
+  void recall(double time_step);
   int orderOf(int sample) const;
 
   ContactSettings settings_;
