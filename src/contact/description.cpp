@@ -110,10 +110,6 @@ Pose toPose(const urdf::Pose& pose) {
   return {toVec3(pose.position), Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
 }
 
-Pose carried(const Pose& pose, const Pose& by) {
-  return {by.position + by.orientation * pose.position, (by.orientation * pose.orientation).normalized()};
-}
-
 DescribedShape toShape(const urdf::Collision& collision) {
   DescribedShape described;
   described.pose = toPose(collision.origin);
@@ -159,7 +155,7 @@ std::vector<DescribedLink> linksOf(const urdf::ModelInterface& model, const std:
       if (!met.insert(child).second)
         throw InputError(linkInMessage(name, child->name) + ": two parents (allowed: one)");
       const Pose joint = toPose(child->parent_joint->parent_to_joint_origin_transform);
-      links.push_back(toLink(*child, carried(joint, links[i].pose)));
+      links.push_back(toLink(*child, composed(links[i].pose, joint)));
       order.push_back(child);
     }
   }
