@@ -43,7 +43,8 @@ class BadObstacles(unittest.TestCase):
             self.check_refused('/bad/obstacle_description: ' + said, description=described(geometry))
 
     def test_no_shapes(self):
-        self.check_refused('0 collision shapes (allowed: 1 to 1000)', description='<robot name="r"><link name="a"/></robot>')
+        self.check_refused('0 collision shapes (allowed: 1 to 1000)',
+                           description='<robot name="r"><link name="a"/></robot>')
 
     def test_not_a_description(self):
         for text in ('', 'no xml', '<robot'):
@@ -59,7 +60,8 @@ class BadObstacles(unittest.TestCase):
         self.check_refused('/bad/obstacle_description: not a text', description=7)
 
     def test_missing_file(self):
-        self.check_refused('/no/such/room.urdf: cannot be opened', scene={**SCENE, 'contact': {'obstacles': '/no/such/room.urdf'}})
+        self.check_refused('/no/such/room.urdf: cannot be opened',
+                           scene={**SCENE, 'contact': {'obstacles': '/no/such/room.urdf'}})
 
 
 if __name__ == '__main__':
