@@ -24,10 +24,6 @@ constexpr double MAX_SWEEP_TURN = 0.1;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-Pose between(const Pose& a, const Pose& b, double s) {
-  return {(1 - s) * a.position + s * b.position, a.orientation.slerp(s, b.orientation)};
-}
-
 bool movedLess(const Edge& from, const Edge& to, double distance) {
   return (to[0] - from[0]).norm() < distance && (to[1] - from[1]).norm() < distance;
 }
@@ -367,6 +363,10 @@ const Obstacles& DeformableBody::obstacles() const {
 }
 
 void DeformableBody::moveObstacle(int link, const Pose& pose) { state_->links.to[link] = pose; }
+
+void DeformableBody::placeObstacle(int link, const Pose& pose) {
+  state_->links.from[link] = state_->links.to[link] = pose;
+}
 
 void DeformableBody::reset() {
   state_->mesh = CutMesh(state_->mesh.mesh(), state_->mesh.threads());

@@ -1,16 +1,15 @@
 #include "incision/contact/description.h"
 
 #include <console_bridge/console.h>
-#include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "incision/mesh/input_error.h"
+#include "urdf_text.h"
 
 namespace incision {
 
@@ -79,7 +78,6 @@ struct Parsed {
 };
 
 Parsed parseModel(const std::string& urdf, const std::string& name) {
-  checkSize(urdf, name);
   QuietConsole console(urdf);
   try {
     if (const auto model = urdf::parseURDF(urdf + PADDING)) return {model, oneLine(console.complaint())};
@@ -89,29 +87,11 @@ Parsed parseModel(const std::string& urdf, const std::string& name) {
   throw InputError(name + ": not a robot description" + oneLine(console.complaint()));
 }
 
-// How many collisions the text gives each link: urdfdom leaves out those that it cannot read.
-std::map<std::string, std::size_t> countCollisions(const std::string& urdf) {
-  TiXmlDocument text;
-  text.Parse((urdf + PADDING).c_str());
-  std::map<std::string, std::size_t> counts;
-  const TiXmlElement* link = TiXmlHandle(&text).FirstChild("robot").FirstChild("link").ToElement();
-  for (; link; link = link->NextSiblingElement("link")) {
-    if (!link->Attribute("name")) continue;
-    std::size_t& count = counts[link->Attribute("name")];
-    for (const auto* c = link->FirstChildElement("collision"); c; c = c->NextSiblingElement("collision")) ++count;
-  }
-  return counts;
-}
-
 Vec3 toVec3(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
 Pose toPose(const urdf::Pose& pose) {
   const urdf::Rotation& q = pose.rotation;
   return {toVec3(pose.position), Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
-}
-
-Pose carried(const Pose& pose, const Pose& by) {
-  return {by.position + by.orientation * pose.position, (by.orientation * pose.orientation).normalized()};
 }
 
 DescribedShape toShape(const urdf::Collision& collision) {
@@ -149,21 +129,17 @@ DescribedLink toLink(const urdf::Link& link, const Pose& pose) {
 }
 
 // The links, parents before their children.
-std::vector<DescribedLink> linksOf(const urdf::ModelInterface& model, const std::string& name) {
+std::vector<DescribedLink> linksOf(const urdf::ModelInterface& model) {
   std::vector<urdf::LinkConstSharedPtr> order = {model.getRoot()};
   std::vector<DescribedLink> links = {toLink(*order[0], Pose())};
-  std::set<urdf::LinkConstSharedPtr> met = {order[0]};
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const urdf::Link& parent = *order[i];
-    for (const auto& child : parent.child_links) {
-      if (!met.insert(child).second)
-        throw InputError(linkInMessage(name, child->name) + ": two parents (allowed: one)");
+    const urdf::LinkConstSharedPtr parent = order[i];  // order grows
+    for (const auto& child : parent->child_links) {
       const Pose joint = toPose(child->parent_joint->parent_to_joint_origin_transform);
-      links.push_back(toLink(*child, carried(joint, links[i].pose)));
+      links.push_back(toLink(*child, composed(links[i].pose, joint)));
       order.push_back(child);
     }
   }
-  if (links.size() < model.links_.size()) throw InputError(name + ": joints that go in a circle (allowed: a tree)");
   return links;
 }
 
@@ -184,9 +160,12 @@ std::vector<std::pair<std::string, double>> sizes(const Shape& shape) {
 }  // namespace
 
 std::vector<DescribedLink> parseDescription(const std::string& urdf, const std::string& name) {
+  checkSize(urdf, name);
+  const UrdfText text(urdf + PADDING);
+  text.checkTree(name);
   const Parsed parsed = parseModel(urdf, name);
-  std::vector<DescribedLink> links = linksOf(*parsed.model, name);
-  std::map<std::string, std::size_t> collisions = countCollisions(urdf);
+  std::vector<DescribedLink> links = linksOf(*parsed.model);
+  std::map<std::string, std::size_t> collisions = text.countCollisions();
   for (DescribedLink& link : links)
     if (link.shapes.size() < collisions[link.name]) link.fault = "a collision shape cannot be read" + parsed.complaint;
   return links;

@@ -41,6 +41,21 @@ Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& q) {
 
 Pose toPose(const geometry_msgs::Pose& pose) { return {toVec3(pose.position), toQuaternion(pose.orientation)}; }
 
+Pose toPose(const geometry_msgs::Transform& transform) {
+  return {toVec3(transform.translation), toQuaternion(transform.rotation)};
+}
+
+geometry_msgs::Pose toPoseMessage(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = toPoint(pose.position);
+  const Eigen::Quaterniond& q = pose.orientation;
+  message.orientation.x = q.x(), message.orientation.y = q.y(), message.orientation.z = q.z();
+  message.orientation.w = q.w();
+  return message;
+}
+
+ros::Time toRos(Nanoseconds stamp) { return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp)); }
+
 Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
   return Eigen::Translation3d(toVec3(transform.translation)) * toQuaternion(transform.rotation);
 }

@@ -7,24 +7,40 @@ namespace {
 
 using visualization_msgs::Marker;
 
+/// Of the ground as it is drawn [m]: as wide as a hall, and thin.
+constexpr double GROUND_WIDTH = 100, GROUND_HEIGHT = 0.001;
+
 std_msgs::ColorRGBA colour(float r, float g, float b) {
   std_msgs::ColorRGBA c;
   c.r = r, c.g = g, c.b = b, c.a = 1;
   return c;
 }
 
-Marker emptyMarker(const std::string& what, int id, const std_msgs::ColorRGBA& colour, const std::string& frame,
-                   const ros::Time& stamp) {
+Marker markerOf(int type, const std::string& what, int id, const std_msgs::ColorRGBA& colour, const std::string& frame,
+                const ros::Time& stamp) {
   Marker marker;
   marker.header.frame_id = frame;
   marker.header.stamp = stamp;
   marker.ns = what;
   marker.id = id;
-  marker.type = Marker::TRIANGLE_LIST;
+  marker.type = type;
   marker.pose.orientation.w = 1;
   marker.scale.x = marker.scale.y = marker.scale.z = 1;
   marker.color = colour;
   return marker;
+}
+
+int typeOf(ShapeKind kind) {
+  if (kind == ShapeKind::SPHERE) return Marker::SPHERE;
+  return kind == ShapeKind::CYLINDER ? Marker::CYLINDER : Marker::CUBE;
+}
+
+/// Edges of the box round the shape [m].
+Vec3 extents(const Shape& shape) {
+  const Vec3& size = shape.size;
+  if (shape.kind == ShapeKind::SPHERE) return Vec3::Constant(2 * size[0]);
+  if (shape.kind == ShapeKind::CYLINDER) return {2 * size[0], 2 * size[0], size[2]};
+  return shape.kind == ShapeKind::BOX ? size : Vec3(GROUND_WIDTH, GROUND_WIDTH, GROUND_HEIGHT);
 }
 
 }  // namespace
@@ -32,14 +48,31 @@ Marker emptyMarker(const std::string& what, int id, const std_msgs::ColorRGBA& c
 visualization_msgs::MarkerArray toMarkers(const Surface& surface, const std::vector<Vec3>& x, const std::string& frame,
                                           const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
-  array.markers = {emptyMarker("skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
-                   emptyMarker("cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
+  array.markers = {markerOf(Marker::TRIANGLE_LIST, "skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
+                   markerOf(Marker::TRIANGLE_LIST, "cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
   const std::vector<Vec3> positions = surfacePositions(surface, x);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (const int vertex : surface.triangles[t])
       array.markers[surface.cut_face[t] ? 1 : 0].points.push_back(toPoint(positions[vertex]));
   // rviz calls a list without points an error.
   for (Marker& marker : array.markers) marker.action = marker.points.empty() ? Marker::DELETE : Marker::ADD;
+  return array;
+}
+
+visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std::vector<Pose>& links,
+                                          const std::string& frame, const ros::Time& stamp) {
+  visualization_msgs::MarkerArray array;
+  for (const Obstacle& obstacle : obstacles.shapes) {
+    const bool is_ground = obstacle.link == GROUND_LINK;
+    const auto link = static_cast<std::size_t>(obstacle.link);
+    Pose pose = is_ground ? obstacle.pose : composed(links[link], obstacle.pose);
+    if (is_ground) pose.position.z() -= GROUND_HEIGHT / 2;
+    const int id = static_cast<int>(array.markers.size());
+    array.markers.push_back(markerOf(typeOf(obstacle.shape.kind), is_ground ? "ground" : obstacles.links[link].name, id,
+                                     colour(0.62F, 0.66F, 0.70F), frame, stamp));
+    array.markers.back().pose = toPoseMessage(pose);
+    array.markers.back().scale = toVector3(extents(obstacle.shape));
+  }
   return array;
 }
 

@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <cmath>
+
 #include "incision/ros/conversions.h"
 
 namespace incision {
@@ -32,17 +34,17 @@ SteadyTime now() { return std::chrono::steady_clock::now(); }
 
 IncisionNode::IncisionNode()
     : settings_(loadSettings(node_)),
-      body_(settings_.scene, loadMesh(settings_.scene),
-            {settings_.tool_description, loadObstacleDescription(settings_.scene)}),
+      body_(settings_.scene, loadMesh(settings_.scene), settings_.descriptions),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
       reporter_(node_, settings_.scene.body.frame),
-      markers_(node_, settings_.scene.body.frame, settings_.marker_rate),
+      markers_(node_, settings_.scene.body.frame, settings_.marker_rate, body_.obstacles()),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, agenda_, reporter_, wakeup_),
+      tracker_(input_.transforms(), settings_.scene.body.frame, body_.obstacles(), settings_.scene.solver.time_step),
       spinner_(1) {
   const BodyCounts counts = body_.counts();
   reporter_.setPieces(counts.pieces);
@@ -68,7 +70,7 @@ void IncisionNode::run() {
     changed |= applyCommands(due);
     if (due) step();
     if (changed || due || now() >= next_heartbeat_) publishState();
-    markers_.offer(body_, now());
+    markers_.offer(body_, tracker_.poses(), now());
     if (!due) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
 }
@@ -104,8 +106,20 @@ void IncisionNode::applyPose(const Pose& pose) {
   }
 }
 
+/// Before a step: the obstacles' links go where tf has them at its end.
+void IncisionNode::moveObstacles() {
+  const auto time_step = static_cast<Nanoseconds>(std::llround(1e9 * settings_.scene.solver.time_step));
+  for (const LinkMove& move : tracker_.follow(ros::Time::isSimTime() ? pacer_->nextStart() + time_step : 0)) {
+    if (move.at_once)
+      body_.placeObstacle(move.link, move.pose);
+    else
+      body_.moveObstacle(move.link, move.pose);
+  }
+}
+
 void IncisionNode::step() {
   try {
+    moveObstacles();
     last_step_ = body_.step();
     error_.clear();
   } catch (const std::exception& error) {
@@ -135,6 +149,7 @@ void IncisionNode::reset() {
   for (const PlaneCut& plane : agenda_.clear()) reporter_.refuseCut(plane.label, refused);
   if (const auto stroke = settings_.scene.tool ? body_.liftTool() : std::nullopt) reporter_.report(*stroke);
   body_.reset();
+  tracker_.restart();
   last_step_ = StepResult();
   error_.clear();
   reporter_.setPieces(body_.counts().pieces);
@@ -158,6 +173,7 @@ void IncisionNode::publishState() {
   reporter_.fillState(state);
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();
+  state.ignored_transforms = tracker_.ignored();
   state_.publish(state);
 }
 

@@ -15,7 +15,8 @@
 namespace incision {
 namespace {
 
-constexpr std::array KNOWN = {"scene", "tool_description", "marker_rate", "transform_timeout", "max_lag"};
+constexpr std::array KNOWN = {"scene",       "tool_description",  "obstacle_description",
+                              "marker_rate", "transform_timeout", "max_lag"};
 
 Scene loadSceneParameter(const ros::NodeHandle& node) {
   const std::string name = node.resolveName("scene");
@@ -55,7 +56,8 @@ NodeSettings loadSettings(const ros::NodeHandle& node) {
   reportUnknown(node);
   NodeSettings settings;
   settings.scene = loadSceneParameter(node);
-  settings.tool_description = toolDescription(node, settings.scene);
+  settings.descriptions.tool = toolDescription(node, settings.scene);
+  settings.descriptions.obstacles = obstacleDescription(node, &settings.scene);
   loadNumber(node, "marker_rate", 0, 1000, settings.marker_rate);
   loadNumber(node, "transform_timeout", 0, 60, settings.transform_timeout);
   loadNumber(node, "max_lag", MAX_CLOCK_ADVANCE, 1e6, settings.max_lag);

@@ -7,8 +7,6 @@
 namespace incision {
 namespace {
 
-ros::Time toRos(Nanoseconds stamp) { return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp)); }
-
 bool isPose(const Command& command) { return std::holds_alternative<Pose>(command.action); }
 
 Command inBodyFrame(Command command, const std::string& body_frame, const Eigen::Isometry3d& to_body) {

@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
             robot(link("a", "") + link("b", "") + link("c", "") + joint("a", "b") + joint("a", "c") + joint("b", "c")),
             "room.urdf: link 'c': two parents"},
         BadDescription{robot(link("a", "") + link("b", "") + link("c", "") + joint("b", "c") + joint("c", "b")),
-                       "room.urdf: joints that go in a circle"}));
+                       "room.urdf: link 'b': joints that go in a circle"}));
 
 TEST(Obstacles, DeepNestingDoesNotExhaustTheStack) {
   std::string nested;

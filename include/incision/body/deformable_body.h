@@ -85,9 +85,10 @@ class DeformableBody {
   std::optional<CutResult> liftTool();
 
   /// The obstacles; none without contact. A link moves evenly to `pose` in the body's frame during the next step, and
-  /// stays there.
+  /// stays there; or it is put there, and sweeps nothing on its way.
   const Obstacles& obstacles() const;
   void moveObstacle(int link, const Pose& pose);
+  void placeObstacle(int link, const Pose& pose);
 
   /// Back to the state after construction: no cuts but the scene's, which are scheduled again.
   void reset();

@@ -12,4 +12,10 @@ struct Pose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
 };
 
+/// The pose in the outer frame of what stands at `inner` in a frame that stands at `outer`.
+Pose composed(const Pose& outer, const Pose& inner);
+
+/// The pose a share `s`, from 0 to 1, of the even way from `a` to `b`.
+Pose between(const Pose& a, const Pose& b, double s);
+
 }  // namespace incision

@@ -32,6 +32,9 @@ class CommandInput {
   /// A command stamped at or before `time` still waits for its transform.
   bool waitsFor(Nanoseconds time) const;
 
+  /// What the node knows of tf.
+  const tf2::BufferCore& transforms() const { return buffer_; }
+
   /// Refuses the commands that wait for a transform.
   void clear(const Refused& refused);
 

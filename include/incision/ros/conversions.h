@@ -9,6 +9,7 @@
 #include <incision/CutReport.h>
 
 #include "incision/body/deformable_body.h"
+#include "incision/ros/command.h"
 
 namespace incision {
 
@@ -21,6 +22,12 @@ geometry_msgs::Vector3 toVector3(const Vec3& v);
 PlaneCut toPlaneCut(const CutPlane& message);
 /// The same; the quaternion is normalised.
 Pose toPose(const geometry_msgs::Pose& pose);
+
+Pose toPose(const geometry_msgs::Transform& transform);
+geometry_msgs::Pose toPoseMessage(const Pose& pose);
+
+/// Throws std::runtime_error where a ros::Time cannot be that late.
+ros::Time toRos(Nanoseconds stamp);
 
 Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform);
 

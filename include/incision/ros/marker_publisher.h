@@ -7,34 +7,39 @@
 #include <thread>
 
 #include "incision/body/deformable_body.h"
+#include "incision/contact/obstacles.h"
 #include "incision/ros/wakeup.h"
 
 namespace incision {
 
-/// Publishes the body's surface at a given rate, to subscribers only. The stepping thread only copies positions;
-/// messages are built and sent on a thread of its own, which skips what it is too slow for.
+/// Publishes the body's surface, and the obstacles, at a given rate, to subscribers only. The stepping thread only
+/// copies positions; messages are built and sent on a thread of its own, which skips what it is too slow for.
 class MarkerPublisher {
  public:
   /// `rate` [Hz]; 0: never.
-  MarkerPublisher(ros::NodeHandle& node, const std::string& frame, double rate);
+  MarkerPublisher(ros::NodeHandle& node, const std::string& frame, double rate, const Obstacles& obstacles);
   ~MarkerPublisher();
 
-  /// Hands over the body's surface when it is time and somebody listens.
-  void offer(const DeformableBody& body, SteadyTime now);
+  /// Hands over the body's surface, and where the obstacles' links are, when it is time and somebody listens.
+  void offer(const DeformableBody& body, const std::vector<Pose>& links, SteadyTime now);
   /// When to offer again.
   SteadyTime nextOffer() const { return next_; }
 
  private:
   struct Snapshot {
-    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const Surface> surface;  ///< none where nobody listens
     std::vector<Vec3> positions;
+    std::optional<std::vector<Pose>> links;  ///< none where nobody listens
   };
+  void addSurface(const DeformableBody& body, Snapshot* snapshot);
+  void publish(const Snapshot& snapshot) const;
   void run();
   std::optional<Snapshot> take();
 
   const std::string frame_;
+  const Obstacles obstacles_;
   std::chrono::nanoseconds period_;
-  ros::Publisher publisher_;
+  ros::Publisher body_publisher_, obstacle_publisher_;
   SteadyTime next_;
   std::shared_ptr<const Surface> surface_;
   std::uint64_t topology_version_ = 0;

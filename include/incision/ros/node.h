@@ -6,6 +6,7 @@
 
 #include "incision/ros/command_input.h"
 #include "incision/ros/marker_publisher.h"
+#include "incision/ros/obstacle_tracker.h"
 #include "incision/ros/pacer.h"
 #include "incision/ros/real_time_factor.h"
 #include "incision/ros/stepping_tasks.h"
@@ -38,6 +39,7 @@ class IncisionNode {
   bool applyCommands(bool step_due);
   void applyCut(const PlaneCut& plane);
   void applyPose(const Pose& pose);
+  void moveObstacles();
   bool stepDue();
   void step();
   void stepFailed(const std::string& why);
@@ -63,6 +65,7 @@ class IncisionNode {
   ros::Subscriber clock_;
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;
+  ObstacleTracker tracker_;
   ros::AsyncSpinner spinner_;
 };
 

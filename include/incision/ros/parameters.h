@@ -11,7 +11,7 @@ namespace incision {
 /// The node's private parameters.
 struct NodeSettings {
   Scene scene;                   ///< ~scene
-  std::string tool_description;  ///< ~tool_description: text of a URDF; empty when there is none
+  Descriptions descriptions;     ///< ~tool_description, ~obstacle_description
   double marker_rate = 15;       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
   double transform_timeout = 1;  ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
   double max_lag = 5;            ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <tinyxml.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace incision {
+
+/// What must be known of a URDF before urdfdom reads it, or what urdfdom keeps to itself. A text that is no XML holds
+/// nothing.
+class UrdfText {
+ public:
+  explicit UrdfText(const std::string& urdf);
+
+  /// Throws InputError when a link has two parents, or joints go in a circle: urdfdom never frees a circle.
+  void checkTree(const std::string& name) const;
+
+  /// How many collisions each link has: urdfdom leaves out those that it cannot read.
+  std::map<std::string, std::size_t> countCollisions() const;
+
+ private:
+  const TiXmlElement* first(const char* element) const;
+
+  TiXmlDocument document_;
+};
+
+}  // namespace incision
