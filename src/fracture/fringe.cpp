@@ -5,18 +5,6 @@
 namespace incision {
 namespace {
 
-/// Whether an edge of the facet lies in the face: the facet ends there.
-bool endsOn(const Facet& facet, int face, const Polytope& polytope) {
-  return std::count_if(facet.corners.begin(), facet.corners.end(),
-                       [&](int c) { return polytope.corners[c][face] == 0; }) >= 2;
-}
-
-int faceBetween(const MeshTopology& topology, int element, int across) {
-  int face = 0;
-  while (topology.neighbours[element][face] != across) ++face;
-  return face;
-}
-
 /// Whether φ, known at the copies of the face alone, has both signs on what the part owns of it.
 bool crosses(const GrowingCrack& crack, const CutMesh& mesh, int part, int face) {
   Eigen::Vector4d phi = Eigen::Vector4d::Zero();
@@ -43,8 +31,8 @@ void addFringes(const CutMesh& mesh, int number, const GrowingCrack& crack, int 
   const int element = mesh.parts()[part].element;
   for (int face = 0; face < 4; ++face) {
     const int across = mesh.topology().neighbours[element][face];
-    if (across < 0 || !endsOn(facet, face, mesh.polytope(part))) continue;
-    const int back = faceBetween(mesh.topology(), across, element);
+    if (across < 0 || !reaches(facet, face, mesh.polytope(part))) continue;
+    const int back = faceTowards(mesh.topology(), across, element);
     for (const FacePair& pair : mesh.facePairs(element, face))
       if (pair.part == part && !pair.severed && crack.refused.count(pair.other) == 0 &&
           crosses(crack, mesh, pair.other, back))
@@ -53,6 +41,17 @@ void addFringes(const CutMesh& mesh, int number, const GrowingCrack& crack, int 
 }
 
 }  // namespace
+
+bool reaches(const Facet& facet, int face, const Polytope& polytope) {
+  return std::count_if(facet.corners.begin(), facet.corners.end(),
+                       [&](int c) { return polytope.corners[c][face] == 0; }) >= 2;
+}
+
+int faceTowards(const MeshTopology& topology, int element, int across) {
+  int face = 0;
+  while (topology.neighbours[element][face] != across) ++face;
+  return face;
+}
 
 std::optional<Eigen::Vector4d> phiAt(const GrowingCrack& crack, const Part& part) {
   Eigen::Vector4d phi;

@@ -32,4 +32,10 @@ std::vector<Fringe> findFringes(const CutMesh& mesh, const GrowingCracks& cracks
 /// φ at a part's four copies; empty where the crack has not met them all.
 std::optional<Eigen::Vector4d> phiAt(const GrowingCrack& crack, const Part& part);
 
+/// Whether an edge of the facet lies in that face of the part's element.
+bool reaches(const Facet& facet, int face, const Polytope& polytope);
+
+/// The face of an element that it shares with another.
+int faceTowards(const MeshTopology& topology, int element, int across);
+
 }  // namespace incision
