@@ -157,6 +157,7 @@ CrackField DeformableBody::State::fieldOf(const PlaneCut& plane) const {
 /// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
 void DeformableBody::State::fracture(StepResult* result) {
   const double now = time();
+  result->cracks = growth->fuse(now, mesh, motion.x);
   std::vector<int> touched;
   for (const CrackAdvance& advance :
        growth->advances(now, scene.solver.time_step, step.assembly(), motion.x, step.pieceOf())) {
@@ -190,7 +191,7 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
       const CrackField field = fieldOf(plane);
       const Insertion done = mesh.insert(field);
       result.status = done.changed() ? CutStatus::APPLIED : CutStatus::MISSED;
-      if (growth && done.changed()) growth->adopt(time(), field, done, mesh);
+      if (growth && done.changed()) growth->adopt(field, done, mesh);
       if (done.changed())
         topologyChanged(done.touched);
       else

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -26,25 +25,6 @@ Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x) 
   Vec3 y = Vec3::Zero();
   for (int I = 0; I < 4; ++I) y += point[I] * x[part.copies[I]];
   return y;
-}
-
-/// ∇φ [1] in the body as it is deformed, of a field given at a part's copies.
-Vec3 gradient(const Part& part, const Eigen::Vector4d& phi, const std::vector<Vec3>& x) {
-  Mat3 edges;
-  for (int k = 0; k < 3; ++k) edges.row(k) = x[part.copies[k + 1]] - x[part.copies[0]];
-  return edges.fullPivLu().solve(Vec3(phi.tail<3>().array() - phi[0]));
-}
-
-Front frontOf(const Fringe& fringe, const GrowingCrack& crack, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  const Part &ahead = mesh.parts()[fringe.ahead], &behind = mesh.parts()[fringe.behind];
-  Front front;
-  for (int i = 0; i < 3; ++i) {
-    const int copy = ahead.copies[FACE_NODES[fringe.face][i]];
-    front.face[i] = x[copy];
-    front.phi[i] = crack.phi.at(copy);
-  }
-  front.behind = gradient(behind, *phiAt(crack, behind), x);
-  return front;
 }
 
 bool shareCopy(const Part& a, const Part& b) {
@@ -93,23 +73,28 @@ std::vector<CrackGrowth::PieceLoad> CrackGrowth::mostLoaded(const CutMesh& mesh,
 double CrackGrowth::arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const {
   const Part &behind = mesh.parts()[fringe.behind], &ahead = mesh.parts()[fringe.ahead];
   const Barycentric middle = Barycentric::Constant(0.25);
-  const auto& reached = cracks_.at(fringe.crack).reached;
+  const auto& reached = cracks_.at(fringe.crack)->reached;
   const auto since = reached.find(behind.element);
-  return (since == reached.end() ? time : since->second) +
-         (at(ahead, middle, x) - at(behind, middle, x)).norm() / settings_.crack_speed;
+  if (since == reached.end()) return time;
+  return since->second + (at(ahead, middle, x) - at(behind, middle, x)).norm() / settings_.crack_speed;
 }
 
 std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, const Assembly& assembly,
                                                 const std::vector<Vec3>& x, const std::vector<int>& piece) {
-  if (!(load(assembly, x) > 1)) return {};
   const CutMesh& mesh = assembly.mesh();
+  const bool loaded = load(assembly, x) > 1;
+  if (fuses()) findTargets(mesh, x, piece);
+  const auto runs = [&](std::size_t i) { return fuses() && targets_[i] && hasGrown(fringes_[i], mesh); };
+  bool any_runs = false;
+  for (std::size_t i = 0; i < fringes_.size(); ++i) any_runs = any_runs || runs(i);
+  if (!loaded && !any_runs) return {};
   std::vector<PieceLoad> pieces = mostLoaded(mesh, piece);
 
   std::map<int, std::vector<int>> growing;  // of each crack: the fringes that advance
   for (std::size_t i = 0; i < fringes_.size(); ++i) {
     const Fringe& fringe = fringes_[i];
     PieceLoad& load = pieces[piece[mesh.parts()[fringe.ahead].copies[0]]];
-    const bool driven = loading_[fringe.ahead].share > 1 ||
+    const bool driven = loading_[fringe.ahead].share > 1 || runs(i) ||
                         (load.worst >= 0 && shareCopy(mesh.parts()[load.worst], mesh.parts()[fringe.ahead]));
     if (!driven || waits(mesh, fringe.ahead)) continue;
     load.advances = true;
@@ -127,7 +112,7 @@ std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, c
 
 CrackAdvance CrackGrowth::grow(int number, const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
                                const std::vector<Vec3>& x) const {
-  const GrowingCrack& crack = cracks_.at(number);
+  const GrowingCrack& crack = *cracks_.at(number);
   CrackAdvance advance;
   advance.crack = number;
   std::map<int, double> reached;  // of each part
@@ -137,8 +122,10 @@ CrackAdvance CrackGrowth::grow(int number, const std::vector<int>& fringes, doub
     const Part& ahead = mesh.parts()[fringe.ahead];
     const int far = ahead.copies[fringe.face];
     if (crack.phi.count(far) == 0) {
-      const Vec3 normal = crackNormal(stress_.smoothed()[fringe.ahead]);
-      const double phi = phiBeyond(frontOf(fringe, crack, mesh, x), normal, x[far]);
+      const Front front = frontOf(fringe, crack, mesh, x);
+      const Vec3 normal =
+          fuses() && targets_[i] ? normalTowards(front, *targets_[i]) : crackNormal(stress_.smoothed()[fringe.ahead]);
+      const double phi = phiBeyond(front, normal, x[far]);
       if (!std::isfinite(phi)) continue;  // the face is flat
       wanted[far].sum += phi;
       ++wanted[far].count;

@@ -26,7 +26,7 @@ bool crosses(const GrowingCrack& crack, const CutMesh& mesh, int part, int face)
   return positive && negative;
 }
 
-void addFringes(const CutMesh& mesh, int number, const GrowingCrack& crack, int part, const Facet& facet,
+void addFringes(const CutMesh& mesh, const GrowingCrack& crack, int part, const Facet& facet,
                 std::vector<Fringe>* fringes) {
   const int element = mesh.parts()[part].element;
   for (int face = 0; face < 4; ++face) {
@@ -36,7 +36,7 @@ void addFringes(const CutMesh& mesh, int number, const GrowingCrack& crack, int 
     for (const FacePair& pair : mesh.facePairs(element, face))
       if (pair.part == part && !pair.severed && crack.refused.count(pair.other) == 0 &&
           crosses(crack, mesh, pair.other, back))
-        fringes->push_back({number, part, pair.other, back});
+        fringes->push_back({crack.number, part, pair.other, back});
   }
 }
 
@@ -70,8 +70,8 @@ std::vector<Fringe> findFringes(const CutMesh& mesh, const GrowingCracks& cracks
     for (const Facet& facet : mesh.polytope(p).facets) {
       const auto found = cracks.find(facet.crack);
       if (found == cracks.end()) continue;
-      const auto phi = phiAt(found->second, mesh.parts()[p]);
-      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, found->first, found->second, p, facet, &fringes);
+      const auto phi = phiAt(*found->second, mesh.parts()[p]);
+      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, *found->second, p, facet, &fringes);
     }
   }
   return fringes;

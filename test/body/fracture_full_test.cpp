@@ -59,27 +59,36 @@ TetMesh roundBar(int along, int across, double length, double radius) {
 
 TEST(FractureFull, ATwistedRoundBarBreaksAlongAHelix) {
   for (const int across : {6, 8}) {
-  const double length = 1, radius = 0.125;
-  const TetMesh mesh = roundBar(across * 5, across, length, radius);
-  Scene scene = quasiStatic(1e6, 0.2, 0.01);
-  scene.solver.threads = 2;
-  const auto left = [](const Vec3& X) { return X[0] < 1e-6; };
-  const auto right = [&](const Vec3& X) { return X[0] > length - 1e-6; };
-  const auto twist = [](const Vec3& X) { return Vec3(0, -0.005 * X[2], 0.005 * X[1]); };
-  scene.boundary = holdEach(mesh, left, mesh, atRest);
-  for (const Hold& hold : holdEach(mesh, right, mesh, twist)) scene.boundary.push_back(hold);
-  scene.fracture = FractureSettings{1e3};
-  DeformableBody body(scene, mesh);
-  const Breaking run = breakInto(&body, 2, 1000);
-  Vec3 sum = Vec3::Zero(); double w = 0;
-  for (auto& e : run.events) {
-    const Vec3 radial = Vec3(0, e.where[1], e.where[2]), around = Vec3::UnitX().cross(radial.normalized());
-    Vec3 n = e.normal; if (n[0] < 0) n = -n;
-    const double angle = std::atan2(n.dot(around), n[0]) * 180 / M_PI;
-    if (e.elements.size() > 0) { sum += e.elements.size() * Vec3(angle, angle * angle, n.dot(radial.normalized())); w += e.elements.size(); }
-    std::printf("%.2f c%d el %zu x %.3f r %.3f th %.0f angle %.1f rad %.2f s %.3g\n", e.time, e.crack, e.elements.size(), e.where[0], radial.norm(), std::atan2(e.where[2],e.where[1])*180/M_PI, angle, n.dot(radial.normalized()), e.stress);
-  }
-  std::printf("across %d: mean %.1f dev %.1f over %g events %zu pieces %d cracks %d\n", across, sum[0]/w, std::sqrt(sum[1]/w-std::pow(sum[0]/w,2)), w, run.events.size(), body.counts().pieces, body.counts().cracks);
+    const double length = 1, radius = 0.125;
+    const TetMesh mesh = roundBar(across * 5, across, length, radius);
+    Scene scene = quasiStatic(1e6, 0.2, 0.01);
+    scene.solver.threads = 2;
+    const auto left = [](const Vec3& X) { return X[0] < 1e-6; };
+    const auto right = [&](const Vec3& X) { return X[0] > length - 1e-6; };
+    const auto twist = [](const Vec3& X) { return Vec3(0, -0.005 * X[2], 0.005 * X[1]); };
+    scene.boundary = holdEach(mesh, left, mesh, atRest);
+    for (const Hold& hold : holdEach(mesh, right, mesh, twist)) scene.boundary.push_back(hold);
+    scene.fracture = FractureSettings{1e3};
+    DeformableBody body(scene, mesh);
+    const Breaking run = breakInto(&body, 2, 1000);
+    Vec3 sum = Vec3::Zero();
+    double w = 0;
+    for (auto& e : run.events) {
+      const Vec3 radial = Vec3(0, e.where[1], e.where[2]), around = Vec3::UnitX().cross(radial.normalized());
+      Vec3 n = e.normal;
+      if (n[0] < 0) n = -n;
+      const double angle = std::atan2(n.dot(around), n[0]) * 180 / M_PI;
+      if (e.elements.size() > 0) {
+        sum += e.elements.size() * Vec3(angle, angle * angle, n.dot(radial.normalized()));
+        w += e.elements.size();
+      }
+      std::printf("%.2f c%d el %zu x %.3f r %.3f th %.0f angle %.1f rad %.2f s %.3g\n", e.time, e.crack,
+                  e.elements.size(), e.where[0], radial.norm(), std::atan2(e.where[2], e.where[1]) * 180 / M_PI, angle,
+                  n.dot(radial.normalized()), e.stress);
+    }
+    std::printf("across %d: mean %.1f dev %.1f over %g events %zu pieces %d cracks %d\n", across, sum[0] / w,
+                std::sqrt(sum[1] / w - std::pow(sum[0] / w, 2)), w, run.events.size(), body.counts().pieces,
+                body.counts().cracks);
   }
 }
 

@@ -29,7 +29,8 @@ inline std::vector<Hold> holdEach(const TetMesh& mesh, const std::function<bool(
   std::vector<Hold> holds;
   const Vec3 room = Vec3::Constant(1e-9);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-    if (chosen(mesh.nodes[n])) holds.push_back({{placed.nodes[n] - room, placed.nodes[n] + room}, velocity(mesh.nodes[n])});
+    if (chosen(mesh.nodes[n]))
+      holds.push_back({{placed.nodes[n] - room, placed.nodes[n] + room}, velocity(mesh.nodes[n])});
   return holds;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -11,13 +13,14 @@ namespace incision {
 
 /// A crack that can grow: what it needs to go on where it ends.
 struct GrowingCrack {
+  int number;                               ///< in the mesh; the lowest, where several have become one
   std::unordered_map<int, double> phi;      ///< φ [m] at the copies of the parts that it splits
-  std::unordered_map<int, double> reached;  ///< when it came to the elements that it splits [s]
+  std::unordered_map<int, double> reached;  ///< when it grew into the elements that it splits [s]; not those of a cut
   std::set<int> refused;                    ///< parts that it met and could not split
 };
 
-/// Growing cracks by their number in the mesh.
-using GrowingCracks = std::map<int, GrowingCrack>;
+/// Growing cracks by their numbers in the mesh; those that have become one share what they are.
+using GrowingCracks = std::map<int, std::shared_ptr<GrowingCrack>>;
 
 /// A face at which a crack ends inside the material: it splits what lies behind and meets what lies ahead.
 struct Fringe {
