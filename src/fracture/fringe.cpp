@@ -36,7 +36,7 @@ void addFringes(const CutMesh& mesh, const GrowingCrack& crack, int part, const 
     for (const FacePair& pair : mesh.facePairs(element, face))
       if (pair.part == part && !pair.severed && crack.refused.count(pair.other) == 0 &&
           crosses(crack, mesh, pair.other, back))
-        fringes->push_back({crack.number, part, pair.other, back});
+        fringes->push_back({facet.crack, part, pair.other, back});
   }
 }
 

@@ -38,9 +38,9 @@ std::vector<CrackEvent> CrackGrowth::fuse(double time, const CutMesh& mesh, cons
   if (!fuses() || settings_.fuse_angle <= 0) return events;
   for (std::size_t i = 0; i < fringes_.size(); ++i) {
     if (!hasGrown(fringes_[i], mesh)) continue;
-    for (Fringe& other : fringes_) {
+    for (const Fringe& other : fringes_) {
       const int crack = fringes_[i].crack;
-      if (other.crack == crack) continue;
+      if (cracks_.at(other.crack) == cracks_.at(crack)) continue;
       const Front a = frontOf(fringes_[i], *cracks_.at(crack), mesh, x);
       const Front b = frontOf(other, *cracks_.at(other.crack), mesh, x);
       const double cosine = a.behind.normalized().dot(b.behind.normalized());
@@ -69,8 +69,6 @@ void CrackGrowth::join(int crack, int other, double sense) {
   kept->refused.insert(joined->refused.begin(), joined->refused.end());
   for (auto& [number, grown] : cracks_)
     if (grown == joined) grown = kept;
-  for (Fringe& fringe : fringes_)
-    if (fringe.crack == other) fringe.crack = crack;
 }
 
 /// The nearest point of another crack's face in the same piece within `fuse_distance` ahead of each fringe.
@@ -83,8 +81,7 @@ void CrackGrowth::findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, c
     double nearest = settings_.fuse_distance;
     targets_[i].reset();
     for (const CrackFace& face : faces_) {
-      const auto other = cracks_.find(face.crack);
-      if (other != cracks_.end() && other->second.get() == &crack) continue;
+      if (face.crack == fringes_[i].crack) continue;
       if (pieceOf(face.part) != pieceOf(fringes_[i].ahead)) continue;
       const Vec3 to = at(face, mesh, x) - from;
       if (to.norm() > nearest || to.dot(ahead) < 0) continue;

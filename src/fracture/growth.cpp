@@ -140,7 +140,7 @@ void CrackGrowth::adopt(const CrackField& field, const Insertion& done, const Cu
 /// Keeps φ at the copies that the split parts had before.
 GrowingCrack& CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
   std::shared_ptr<GrowingCrack>& crack = cracks_[done.crack];
-  if (!crack) crack = std::make_shared<GrowingCrack>(GrowingCrack{done.crack, {}, {}, {}});
+  if (!crack) crack = std::make_shared<GrowingCrack>();
   const int before = static_cast<int>(field.phi.size());
   for (int p : done.parts)
     for (int c : mesh.parts()[p].copies) {

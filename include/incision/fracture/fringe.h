@@ -13,7 +13,6 @@ namespace incision {
 
 /// A crack that can grow: what it needs to go on where it ends.
 struct GrowingCrack {
-  int number;                               ///< in the mesh; the lowest, where several have become one
   std::unordered_map<int, double> phi;      ///< φ [m] at the copies of the parts that it splits
   std::unordered_map<int, double> reached;  ///< when it grew into the elements that it splits [s]; not those of a cut
   std::set<int> refused;                    ///< parts that it met and could not split
@@ -24,7 +23,7 @@ using GrowingCracks = std::map<int, std::shared_ptr<GrowingCrack>>;
 
 /// A face at which a crack ends inside the material: it splits what lies behind and meets what lies ahead.
 struct Fringe {
-  int crack;
+  int crack;          ///< as the mesh numbers it
   int behind, ahead;  ///< parts that hang together across the face; `behind` is on the crack's positive side
   int face;           ///< of the element ahead, named by the opposite local node
 };
