@@ -71,24 +71,32 @@ void CrackGrowth::join(int crack, int other, double sense) {
     if (grown == joined) grown = kept;
 }
 
-/// The nearest point of another crack's face in the same piece within `fuse_distance` ahead of each fringe.
+/// For each fringe, the nearest point of another crack's face in the same piece that lies ahead within `fuse_distance`.
+/// Of two fringes that close, that of the crack with the higher number rests while the other runs, or they would cut
+/// out what lies between them.
 void CrackGrowth::findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, const std::vector<int>& piece) {
   const auto pieceOf = [&](int part) { return piece[mesh.parts()[part].copies[0]]; };
   parallelFor(static_cast<int>(fringes_.size()), mesh.threads(), [&](int i) {
-    const GrowingCrack& crack = *cracks_.at(fringes_[i].crack);
-    const Front front = frontOf(fringes_[i], crack, mesh, x);
-    const Vec3 from = middleOf(front), ahead = forward(front, centre(mesh.parts()[fringes_[i].behind], x));
+    const Fringe& fringe = fringes_[i];
+    const Front front = frontOf(fringe, *cracks_.at(fringe.crack), mesh, x);
+    const Vec3 ahead = forward(front, centre(mesh.parts()[fringe.behind], x));
     double nearest = settings_.fuse_distance;
-    targets_[i].reset();
+    targets_[i] = {middleOf(front), std::nullopt, false, false};
     for (const CrackFace& face : faces_) {
-      if (face.crack == fringes_[i].crack) continue;
-      if (pieceOf(face.part) != pieceOf(fringes_[i].ahead)) continue;
-      const Vec3 to = at(face, mesh, x) - from;
+      if (face.crack == fringe.crack || pieceOf(face.part) != pieceOf(fringe.ahead)) continue;
+      const Vec3 to = at(face, mesh, x) - targets_[i].middle;
       if (to.norm() > nearest || to.dot(ahead) < 0) continue;
       nearest = to.norm();
-      targets_[i] = from + to;
+      targets_[i].point = targets_[i].middle + to;
     }
+    targets_[i].runs = targets_[i].point && hasGrown(fringe, mesh);
   });
+  for (std::size_t i = 0; i < fringes_.size(); ++i)
+    for (std::size_t j = 0; j < fringes_.size(); ++j)
+      if (targets_[j].runs && fringes_[j].crack < fringes_[i].crack &&
+          (targets_[i].middle - targets_[j].middle).norm() < settings_.fuse_distance)
+        targets_[i].rests = true;
+  for (Target& target : targets_) target.runs = target.runs && !target.rests;
 }
 
 }  // namespace incision

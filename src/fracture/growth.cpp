@@ -129,7 +129,7 @@ CrackEvent CrackGrowth::refused(double time, const CrackAdvance& advance) {
     return fringe.crack == advance.crack && refused.count(fringe.ahead) > 0;
   };
   fringes_.erase(std::remove_if(fringes_.begin(), fringes_.end(), gone), fringes_.end());
-  targets_.resize(fringes_.size());
+  if (fuses()) targets_.resize(fringes_.size());
   return event;
 }
 
@@ -140,7 +140,10 @@ void CrackGrowth::adopt(const CrackField& field, const Insertion& done, const Cu
 /// Keeps φ at the copies that the split parts had before.
 GrowingCrack& CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
   std::shared_ptr<GrowingCrack>& crack = cracks_[done.crack];
-  if (!crack) crack = std::make_shared<GrowingCrack>();
+  if (!crack) {
+    crack = std::make_shared<GrowingCrack>();
+    crack->number = done.crack;
+  }
   const int before = static_cast<int>(field.phi.size());
   for (int p : done.parts)
     for (int c : mesh.parts()[p].copies) {

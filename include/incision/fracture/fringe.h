@@ -13,6 +13,7 @@ namespace incision {
 
 /// A crack that can grow: what it needs to go on where it ends.
 struct GrowingCrack {
+  int number = -1;                          ///< in the mesh; one of them, where several have become one
   std::unordered_map<int, double> phi;      ///< φ [m] at the copies of the parts that it splits
   std::unordered_map<int, double> reached;  ///< when it grew into the elements that it splits [s]; not those of a cut
   std::set<int> refused;                    ///< parts that it met and could not split

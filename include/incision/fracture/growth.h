@@ -77,6 +77,14 @@ class CrackGrowth {
  private:
   struct PieceLoad;
 
+  /// What a fringe runs into, where cracks fuse.
+  struct Target {
+    Vec3 middle;                // of the fringe [m]
+    std::optional<Vec3> point;  // of another crack's face [m]
+    bool runs = false;          // there, as it has grown and goes on without load
+    bool rests = false;         // as another fringe runs towards its crack
+  };
+
   bool fuses() const { return settings_.fuse_distance > 0; }
   double load(const Assembly& assembly, const std::vector<Vec3>& x);
   void wait(const std::vector<int>& nodes);
@@ -87,8 +95,9 @@ class CrackGrowth {
   void join(int crack, int other, double sense);
   void findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, const std::vector<int>& piece);
   double arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
-  CrackAdvance grow(int crack, const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
-                    const std::vector<Vec3>& x) const;
+  double phiAhead(int fringe, const CutMesh& mesh, const std::vector<Vec3>& x) const;
+  std::vector<CrackAdvance> grow(const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
+                                 const std::vector<Vec3>& x) const;
   CrackAdvance start(int part, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
   GrowingCrack& remember(const CrackField& field, const Insertion& done, const CutMesh& mesh);
   void inherit(const CutMesh& mesh);
@@ -100,10 +109,10 @@ class CrackGrowth {
   SmoothedStress stress_;
   std::vector<Loading> loading_;  // of every part
   std::vector<Fringe> fringes_;
-  std::vector<CrackFace> faces_;              // of all cracks, where cracks fuse
-  std::vector<std::optional<Vec3>> targets_;  // what each fringe runs into [m]
-  std::vector<char> beside_;                  // of every copy: used by a part at a fringe
-  std::vector<char> waiting_;                 // of every node
+  std::vector<CrackFace> faces_;  // of all cracks, where cracks fuse
+  std::vector<Target> targets_;   // of every fringe, where cracks fuse
+  std::vector<char> beside_;      // of every copy: used by a part at a fringe
+  std::vector<char> waiting_;     // of every node
   bool any_waiting_ = false;
 };
 
