@@ -33,8 +33,8 @@ bool CrackGrowth::hasGrown(const Fringe& fringe, const CutMesh& mesh) const {
   return cracks_.at(fringe.crack)->reached.count(mesh.parts()[fringe.behind].element) > 0;
 }
 
-std::vector<CrackEvent> CrackGrowth::fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  std::vector<CrackEvent> events;
+std::vector<CrackResult> CrackGrowth::fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  std::vector<CrackResult> events;
   if (!fuses() || settings_.fuse_angle <= 0) return events;
   for (std::size_t i = 0; i < fringes_.size(); ++i) {
     if (!hasGrown(fringes_[i], mesh)) continue;
@@ -47,7 +47,7 @@ std::vector<CrackEvent> CrackGrowth::fuse(double time, const CutMesh& mesh, cons
       if ((middleOf(a) - middleOf(b)).norm() > settings_.fuse_distance) continue;
       if (std::abs(cosine) < std::cos(settings_.fuse_angle)) continue;
       if (haveMet(*cracks_.at(crack), *cracks_.at(other.crack))) continue;  // they run into each other instead
-      CrackEvent event;
+      CrackResult event;
       event.time = time;
       event.change = CrackChange::FUSED;
       event.crack = std::min(crack, other.crack);

@@ -93,9 +93,9 @@ std::optional<CrackField> CrackGrowth::field(const CrackAdvance& advance, const 
   return field;
 }
 
-CrackEvent CrackGrowth::inserted(double time, const CrackAdvance& advance, const CrackField& field,
-                                 const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  CrackEvent event;
+CrackResult CrackGrowth::inserted(double time, const CrackAdvance& advance, const CrackField& field,
+                                  const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  CrackResult event;
   event.time = time;
   event.change = advance.crack < 0 ? CrackChange::STARTED : CrackChange::GREW;
   event.crack = done.crack;
@@ -116,8 +116,8 @@ CrackEvent CrackGrowth::inserted(double time, const CrackAdvance& advance, const
   return event;
 }
 
-CrackEvent CrackGrowth::refused(double time, const CrackAdvance& advance) {
-  CrackEvent event;
+CrackResult CrackGrowth::refused(double time, const CrackAdvance& advance) {
+  CrackResult event;
   event.time = time;
   event.crack = advance.crack;
   event.change = CrackChange::STOPPED;

@@ -36,7 +36,7 @@ IncisionNode::IncisionNode()
             {settings_.tool_description, loadObstacleDescription(settings_.scene)}),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
-      reporter_(node_, settings_.scene.body.frame),
+      reporter_(node_, settings_.scene.body.frame, settings_.scene.fracture.has_value()),
       markers_(node_, settings_.scene.body.frame, settings_.marker_rate),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
@@ -115,6 +115,7 @@ void IncisionNode::step() {
   pacer_->stepTaken();
   real_time_factor_.add(now(), body_.time());
   for (const CutResult& result : last_step_.cuts) reporter_.report(result);
+  for (const CrackResult& result : last_step_.cracks) reporter_.report(result);
 }
 
 void IncisionNode::stepFailed(const std::string& why) {

@@ -84,7 +84,8 @@ TEST(SmoothedStress, WhatACrackRelievesDoesNotHideWhatLiesAhead) {
       const bool whole = rig.mesh.isWhole(other);
       const auto& nodes = rig.mesh.mesh().elements[e];
       const auto low = [&](int n) { return rig.mesh.mesh().nodes[n][0] < 0.47; };
-      const bool crossed = std::any_of(nodes.begin(), nodes.end(), low) && !std::all_of(nodes.begin(), nodes.end(), low);
+      const bool crossed =
+          std::any_of(nodes.begin(), nodes.end(), low) && !std::all_of(nodes.begin(), nodes.end(), low);
       beside_the_cut = beside_the_cut || (!whole && crossed);
       if (!whole) continue;
       volume += elementVolume(rig.mesh.mesh(), other);

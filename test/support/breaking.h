@@ -11,12 +11,12 @@ namespace incision::test {
 
 /// What a breaking body did.
 struct Breaking {
-  std::vector<CrackEvent> events;
+  std::vector<CrackResult> events;
   double largest_pull = 0;  ///< [N]
 
-  std::vector<CrackEvent> of(CrackChange change) const {
-    std::vector<CrackEvent> found;
-    for (const CrackEvent& event : events)
+  std::vector<CrackResult> of(CrackChange change) const {
+    std::vector<CrackResult> found;
+    for (const CrackResult& event : events)
       if (event.change == change) found.push_back(event);
     return found;
   }
@@ -66,7 +66,7 @@ inline double pullOf(const DeformableBody& body, const Vec3& d, double length) {
 inline Breaking breakInto(DeformableBody* body, int pieces, int steps, const std::function<double()>& pull = {}) {
   Breaking run;
   for (int k = 0; k < steps && body->counts().pieces < pieces; ++k) {
-    for (const CrackEvent& event : body->step().cracks) run.events.push_back(event);
+    for (const CrackResult& event : body->step().cracks) run.events.push_back(event);
     if (pull) run.largest_pull = std::max(run.largest_pull, pull());
   }
   return run;

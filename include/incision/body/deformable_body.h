@@ -46,8 +46,8 @@ struct PhaseTimes {
 };
 
 struct StepResult {
-  std::vector<CutResult> cuts;     ///< those that took effect before this step
-  std::vector<CrackEvent> cracks;  ///< what cracks did in this step
+  std::vector<CutResult> cuts;      ///< those that took effect before this step
+  std::vector<CrackResult> cracks;  ///< what cracks did in this step
   ContactReport contact;
   int iterations = 0;   ///< of the linear solve; 0 when direct
   double residual = 0;  ///< relative

@@ -26,7 +26,7 @@ struct CrackAdvance {
 enum class CrackChange : std::uint8_t { STARTED = 0, GREW = 1, FUSED = 2, STOPPED = 3 };
 
 /// What a crack did in one step.
-struct CrackEvent {
+struct CrackResult {
   double time = 0;  ///< at which the step starts [s]
   int crack = -1;
   CrackChange change = CrackChange::STARTED;
@@ -52,7 +52,7 @@ class CrackGrowth {
   /// Makes one crack of two whose fringes come within `fuse_distance` and `fuse_angle` of each other, one of them by
   /// its own growth: from now on they share their distances, so their surfaces meet without a step. Returns what to
   /// tell.
-  std::vector<CrackEvent> fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x);
+  std::vector<CrackResult> fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x);
 
   /// How the cracks advance in a step of `time_step` that starts at `time` [s] with the copies at `x` [m], which belong
   /// to the pieces `piece`: each crack at most once, by one element from each of its fringes, and each piece in which
@@ -65,11 +65,11 @@ class CrackGrowth {
   std::optional<CrackField> field(const CrackAdvance& advance, const CutMesh& mesh) const;
 
   /// The crack went into the mesh. Returns what to tell of it.
-  CrackEvent inserted(double time, const CrackAdvance& advance, const CrackField& field, const Insertion& done,
-                      const CutMesh& mesh, const std::vector<Vec3>& x);
+  CrackResult inserted(double time, const CrackAdvance& advance, const CrackField& field, const Insertion& done,
+                       const CutMesh& mesh, const std::vector<Vec3>& x);
 
   /// The crack could not go into the mesh: it never tries these parts again. Returns what to tell where it matters.
-  CrackEvent refused(double time, const CrackAdvance& advance);
+  CrackResult refused(double time, const CrackAdvance& advance);
 
   /// A cut given from outside can grow like a crack. It must pass no node closer than SNAP.
   void adopt(const CrackField& field, const Insertion& done, const CutMesh& mesh);
