@@ -9,6 +9,7 @@
 
 #include "incision/body/scene.h"
 #include "incision/contact/contact.h"
+#include "incision/fracture/cohesion.h"
 #include "incision/fracture/growth.h"
 #include "incision/surface/surface.h"
 
