@@ -26,7 +26,7 @@ struct PulledBar {
     const TetMesh placed = turned(straight, R);
     scene = quasiStatic(1e6, 0, 0.02);
     scene.solver.threads = threads;
-    scene.fracture = FractureSettings{STRENGTH};
+    scene.fracture = tensile(STRENGTH);
     const auto left = [](const Vec3& X) { return X[0] < 1e-6; };
     const auto right = [](const Vec3& X) { return X[0] > 1 - 1e-6; };
     const auto pulled = [&](const Vec3&) -> Vec3 { return R * Vec3(0.002, 0, 0); };
@@ -123,7 +123,7 @@ Scene pulledPlate() {
   scene.body.warping = false;
   scene.body.grid = GridSettings{{24, 24, 1}, Vec3(2, 2, 0.1), Vec3(-1, -1, 0)};
   scene.boundary = {{slab(1, -1), Vec3(0, -0.01, 0)}, {slab(1, 1), Vec3(0, 0.01, 0)}};
-  scene.fracture = FractureSettings{STRENGTH};
+  scene.fracture = tensile(STRENGTH);
   return scene;
 }
 

@@ -62,6 +62,13 @@ inline double pullOf(const DeformableBody& body, const Vec3& d, double length) {
   return sum / length;
 }
 
+/// A material of this tensile strength [Pa] that bears any compression.
+inline FractureSettings tensile(double strength) {
+  FractureSettings settings;
+  settings.tensile_strength = strength;
+  return settings;
+}
+
 /// Takes steps and collects what happens, until there are so many pieces or so many steps are taken.
 inline Breaking breakInto(DeformableBody* body, int pieces, int steps, const std::function<double()>& pull = {}) {
   Breaking run;
