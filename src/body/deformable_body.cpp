@@ -94,6 +94,7 @@ struct DeformableBody::State {
   double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
   std::optional<Pose> tool_pose;
   std::optional<CrackGrowth> growth;  // where the scene lets the body break
+  std::optional<Cohesion> cohesion;   // where opening a crack takes energy
   std::optional<Contact> contact;     // where the scene lets the body touch
   LinkMotion links;                   // of the obstacles, from the step's start to its end
   ContactReport touching;
@@ -117,6 +118,8 @@ void DeformableBody::State::start() {
   stroke = Stroke();
   stroke_result = CutResult();
   if (scene.fracture) growth.emplace(*scene.fracture);
+  if (scene.fracture && scene.fracture->fracture_energy)
+    cohesion.emplace(*scene.fracture, scene.body.material.young_modulus);
   if (contact) {
     contact->reset();
     links = LinkMotion();
@@ -138,6 +141,7 @@ void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
   placeNewCopies();
   step.topologyChanged(motion, touched);
   if (growth) growth->topologyChanged(step.assembly(), touched);
+  if (cohesion) cohesion->topologyChanged(mesh);
   ++topology_version;
 }
 
@@ -153,6 +157,7 @@ CrackField DeformableBody::State::fieldOf(const PlaneCut& plane) const {
 /// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
 void DeformableBody::State::fracture(StepResult* result) {
   const double now = time();
+  result->cracks = growth->fuse(now, mesh, motion.x);
   std::vector<int> touched;
   for (const CrackAdvance& advance :
        growth->advances(now, scene.solver.time_step, step.assembly(), motion.x, step.pieceOf())) {
@@ -166,6 +171,7 @@ void DeformableBody::State::fracture(StepResult* result) {
       }
       placeNewCopies();
       result->cracks.push_back(growth->inserted(now, advance, *field, done, mesh, motion.x));
+      if (cohesion) cohesion->add(done, mesh, motion.x);
       touched.insert(touched.end(), done.touched.begin(), done.touched.end());
     } catch (const InputError& limit) {
       result->cracks.push_back(growth->refused(now, advance));
@@ -186,7 +192,7 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
       const CrackField field = fieldOf(plane);
       const Insertion done = mesh.insert(field);
       result.status = done.changed() ? CutStatus::APPLIED : CutStatus::MISSED;
-      if (growth && done.changed()) growth->adopt(time(), field, done, mesh);
+      if (growth && done.changed()) growth->adopt(field, done, mesh);
       if (done.changed())
         topologyChanged(done.touched);
       else
@@ -276,15 +282,23 @@ const Surface& DeformableBody::State::currentSurface() const {
 /// One step of `time_step`, in which the obstacles move from links.from to links.to. Returns false with nothing
 /// changed.
 bool DeformableBody::State::advance(double time, double time_step) {
-  if (!contact) return step.advance(time, time_step, &motion);
-  if (contact_version != topology_version) contact->surfaceChanged(currentSurface(), mesh, step.pieceOf());
-  contact_version = topology_version;
-  contact->begin(motion, time_step, links);
+  const bool holds = cohesion && !cohesion->empty();
+  if (!contact && !holds) return step.advance(time, time_step, &motion);
+  if (contact) {
+    if (contact_version != topology_version) contact->surfaceChanged(currentSurface(), mesh, step.pieceOf());
+    contact_version = topology_version;
+    contact->begin(motion, time_step, links);
+  }
+  if (holds) cohesion->begin(mesh, motion.x);
   const auto couple = [&](double dt, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
     couplings->clear();
-    return contact->update(dt, v_end, couplings);
+    const bool touch_changes = contact && contact->update(dt, v_end, couplings);
+    const bool hold_changes = holds && cohesion->update(dt, v_end, couplings);
+    return touch_changes || hold_changes;
   };
   if (!step.advance(time, time_step, &motion, couple)) return false;
+  if (holds) cohesion->accept(motion.x);
+  if (!contact) return true;
   touching = contact->accept(time_step, motion.v);
   links.from = links.to;
   return true;
@@ -295,6 +309,7 @@ bool DeformableBody::State::advanceInHalves(double time, double time_step) {
   const Motion before = motion;
   const LinkMotion whole = links;
   const std::optional<Contact> contact_before = contact;
+  const std::optional<Cohesion> cohesion_before = cohesion;
   const double half = time_step / 2;
   for (std::size_t i = 0; i < links.to.size(); ++i) links.to[i] = between(whole.from[i], whole.to[i], 0.5);
   if (advance(time, half)) {
@@ -304,6 +319,7 @@ bool DeformableBody::State::advanceInHalves(double time, double time_step) {
   motion = before;
   links = whole;
   contact = contact_before;
+  cohesion = cohesion_before;
   return false;
 }
 

@@ -200,8 +200,8 @@ ToolSettings parseTool(const YamlValue& value, const std::string& folder) {
 }
 
 FractureSettings parseFracture(const YamlValue& value) {
-  const YamlMap map =
-      value.map({"tensile_strength", "compressive_strength", "crack_speed", "fuse_distance", "fuse_angle"});
+  const YamlMap map = value.map(
+      {"tensile_strength", "compressive_strength", "crack_speed", "fuse_distance", "fuse_angle", "fracture_energy"});
   FractureSettings fracture;
   fracture.tensile_strength = map.numberOrInfinity("tensile_strength", fracture.tensile_strength, POSITIVE);
   fracture.compressive_strength = map.numberOrInfinity("compressive_strength", fracture.compressive_strength, POSITIVE);
@@ -211,6 +211,10 @@ FractureSettings parseFracture(const YamlValue& value) {
   fracture.crack_speed = map.numberOrInfinity("crack_speed", fracture.crack_speed, POSITIVE);
   fracture.fuse_distance = map.number("fuse_distance", fracture.fuse_distance, NOT_NEGATIVE);
   fracture.fuse_angle = map.number("fuse_angle", fracture.fuse_angle, QUARTER_TURN);
+  if (const auto energy = map.find("fracture_energy")) {
+    if (std::isinf(fracture.tensile_strength)) energy->fail("needs a tensile_strength");
+    fracture.fracture_energy = energy->number(POSITIVE);
+  }
   return fracture;
 }
 

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -26,25 +25,6 @@ Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x) 
   Vec3 y = Vec3::Zero();
   for (int I = 0; I < 4; ++I) y += point[I] * x[part.copies[I]];
   return y;
-}
-
-/// ∇φ [1] in the body as it is deformed, of a field given at a part's copies.
-Vec3 gradient(const Part& part, const Eigen::Vector4d& phi, const std::vector<Vec3>& x) {
-  Mat3 edges;
-  for (int k = 0; k < 3; ++k) edges.row(k) = x[part.copies[k + 1]] - x[part.copies[0]];
-  return edges.fullPivLu().solve(Vec3(phi.tail<3>().array() - phi[0]));
-}
-
-Front frontOf(const Fringe& fringe, const GrowingCrack& crack, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  const Part &ahead = mesh.parts()[fringe.ahead], &behind = mesh.parts()[fringe.behind];
-  Front front;
-  for (int i = 0; i < 3; ++i) {
-    const int copy = ahead.copies[FACE_NODES[fringe.face][i]];
-    front.face[i] = x[copy];
-    front.phi[i] = crack.phi.at(copy);
-  }
-  front.behind = gradient(behind, *phiAt(crack, behind), x);
-  return front;
 }
 
 bool shareCopy(const Part& a, const Part& b) {
@@ -93,68 +73,82 @@ std::vector<CrackGrowth::PieceLoad> CrackGrowth::mostLoaded(const CutMesh& mesh,
 double CrackGrowth::arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const {
   const Part &behind = mesh.parts()[fringe.behind], &ahead = mesh.parts()[fringe.ahead];
   const Barycentric middle = Barycentric::Constant(0.25);
-  const auto& reached = cracks_.at(fringe.crack).reached;
+  const auto& reached = cracks_.at(fringe.crack)->reached;
   const auto since = reached.find(behind.element);
-  return (since == reached.end() ? time : since->second) +
-         (at(ahead, middle, x) - at(behind, middle, x)).norm() / settings_.crack_speed;
+  if (since == reached.end()) return time;
+  return since->second + (at(ahead, middle, x) - at(behind, middle, x)).norm() / settings_.crack_speed;
 }
 
 std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, const Assembly& assembly,
                                                 const std::vector<Vec3>& x, const std::vector<int>& piece) {
-  if (!(load(assembly, x) > 1)) return {};
   const CutMesh& mesh = assembly.mesh();
-  std::vector<PieceLoad> pieces = mostLoaded(mesh, piece);
+  const bool loaded = load(assembly, x) > 1;
+  if (fuses()) findTargets(mesh, x, piece);
+  if (!loaded && std::none_of(targets_.begin(), targets_.end(), [](const Target& target) { return target.runs; }))
+    return {};
 
-  std::map<int, std::vector<int>> growing;  // of each crack: the fringes that advance
-  for (std::size_t i = 0; i < fringes_.size(); ++i) {
-    const Fringe& fringe = fringes_[i];
-    PieceLoad& load = pieces[piece[mesh.parts()[fringe.ahead].copies[0]]];
-    const bool driven = loading_[fringe.ahead].share > 1 ||
-                        (load.worst >= 0 && shareCopy(mesh.parts()[load.worst], mesh.parts()[fringe.ahead]));
-    if (!driven || waits(mesh, fringe.ahead)) continue;
+  std::vector<PieceLoad> pieces = mostLoaded(mesh, piece);
+  std::vector<int> going;
+  for (int i = 0; i < static_cast<int>(fringes_.size()); ++i) {
+    const Part& ahead = mesh.parts()[fringes_[i].ahead];
+    PieceLoad& load = pieces[piece[ahead.copies[0]]];
+    const bool driven = loading_[fringes_[i].ahead].share > 1 || (fuses() && targets_[i].runs) ||
+                        (load.worst >= 0 && shareCopy(mesh.parts()[load.worst], ahead));
+    if (!driven || waits(mesh, fringes_[i].ahead)) continue;
     load.advances = true;
-    if (arrival(fringe, time, mesh, x) <= time) growing[fringe.crack].push_back(static_cast<int>(i));
+    if (arrival(fringes_[i], time, mesh, x) <= time && !(fuses() && targets_[i].rests)) going.push_back(i);
   }
-  std::vector<CrackAdvance> result;
-  for (const auto& [crack, fringes] : growing) {
-    result.push_back(grow(crack, fringes, time - time_step, mesh, x));
-    if (result.back().parts.empty()) result.pop_back();
-  }
+  std::vector<CrackAdvance> result = grow(going, time - time_step, mesh, x);
   for (const PieceLoad& load : pieces)
     if (load.start >= 0 && !load.advances) result.push_back(start(load.start, time, mesh, x));
   return result;
 }
 
-CrackAdvance CrackGrowth::grow(int number, const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
-                               const std::vector<Vec3>& x) const {
-  const GrowingCrack& crack = cracks_.at(number);
-  CrackAdvance advance;
-  advance.crack = number;
-  std::map<int, double> reached;  // of each part
-  std::map<int, Wanted> wanted;   // at each copy
+/// φ at the far copy of the part ahead of a fringe.
+double CrackGrowth::phiAhead(int fringe, const CutMesh& mesh, const std::vector<Vec3>& x) const {
+  const Fringe& at = fringes_[fringe];
+  const Front front = frontOf(at, *cracks_.at(at.crack), mesh, x);
+  const Vec3 normal = fuses() && targets_[fringe].point ? normalTowards(front, *targets_[fringe].point)
+                                                        : crackNormal(stress_.smoothed()[at.ahead]);
+  return phiBeyond(front, normal, x[mesh.parts()[at.ahead].copies[at.face]]);
+}
+
+/// One element on from each of these fringes. Where several want φ of one copy it becomes their mean, so that all
+/// elements round the copy see one surface.
+std::vector<CrackAdvance> CrackGrowth::grow(const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
+                                            const std::vector<Vec3>& x) const {
+  std::map<std::pair<int, int>, Wanted> wanted;   // of each crack, at each copy
+  std::map<int, std::map<int, double>> arrivals;  // of each crack, in each part
   for (int i : fringes) {
     const Fringe& fringe = fringes_[i];
-    const Part& ahead = mesh.parts()[fringe.ahead];
-    const int far = ahead.copies[fringe.face];
+    const GrowingCrack& crack = *cracks_.at(fringe.crack);
+    const int far = mesh.parts()[fringe.ahead].copies[fringe.face];
     if (crack.phi.count(far) == 0) {
-      const Vec3 normal = crackNormal(stress_.smoothed()[fringe.ahead]);
-      const double phi = phiBeyond(frontOf(fringe, crack, mesh, x), normal, x[far]);
+      const double phi = phiAhead(i, mesh, x);
       if (!std::isfinite(phi)) continue;  // the face is flat
-      wanted[far].sum += phi;
-      ++wanted[far].count;
+      Wanted& mean = wanted[{crack.number, far}];
+      mean.sum += phi;
+      ++mean.count;
     }
     const double arrives = std::max(earliest, arrival(fringe, earliest, mesh, x));
-    const auto [known, first] = reached.try_emplace(fringe.ahead, arrives);
+    const auto [known, first] = arrivals[fringe.crack].try_emplace(fringe.ahead, arrives);
     if (!first) known->second = std::min(known->second, arrives);
-    if (loading_[fringe.ahead].share > advance.loading.share) advance.loading = loading_[fringe.ahead];
   }
-  for (const auto& [copy, mean] : wanted)
-    advance.fresh.emplace_back(copy, clearOf(mesh.copyNode(copy), mean.sum / mean.count, mesh));
-  for (const auto& [part, time] : reached) {
-    advance.parts.push_back(part);
-    advance.reached.push_back(time);
+  std::vector<CrackAdvance> advances;
+  for (const auto& [number, parts] : arrivals) {
+    CrackAdvance advance;
+    advance.crack = number;
+    for (const auto& [part, time] : parts) {
+      advance.parts.push_back(part);
+      advance.reached.push_back(time);
+      if (loading_[part].share > advance.loading.share) advance.loading = loading_[part];
+    }
+    for (const auto& [at, mean] : wanted)
+      if (at.first == cracks_.at(number)->number)
+        advance.fresh.emplace_back(at.second, clearOf(mesh.copyNode(at.second), mean.sum / mean.count, mesh));
+    advances.push_back(std::move(advance));
   }
-  return advance;
+  return advances;
 }
 
 CrackAdvance CrackGrowth::start(int part, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const {

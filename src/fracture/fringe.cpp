@@ -5,18 +5,6 @@
 namespace incision {
 namespace {
 
-/// Whether an edge of the facet lies in the face: the facet ends there.
-bool endsOn(const Facet& facet, int face, const Polytope& polytope) {
-  return std::count_if(facet.corners.begin(), facet.corners.end(),
-                       [&](int c) { return polytope.corners[c][face] == 0; }) >= 2;
-}
-
-int faceBetween(const MeshTopology& topology, int element, int across) {
-  int face = 0;
-  while (topology.neighbours[element][face] != across) ++face;
-  return face;
-}
-
 /// Whether φ, known at the copies of the face alone, has both signs on what the part owns of it.
 bool crosses(const GrowingCrack& crack, const CutMesh& mesh, int part, int face) {
   Eigen::Vector4d phi = Eigen::Vector4d::Zero();
@@ -38,21 +26,32 @@ bool crosses(const GrowingCrack& crack, const CutMesh& mesh, int part, int face)
   return positive && negative;
 }
 
-void addFringes(const CutMesh& mesh, int number, const GrowingCrack& crack, int part, const Facet& facet,
+void addFringes(const CutMesh& mesh, const GrowingCrack& crack, int part, const Facet& facet,
                 std::vector<Fringe>* fringes) {
   const int element = mesh.parts()[part].element;
   for (int face = 0; face < 4; ++face) {
     const int across = mesh.topology().neighbours[element][face];
-    if (across < 0 || !endsOn(facet, face, mesh.polytope(part))) continue;
-    const int back = faceBetween(mesh.topology(), across, element);
+    if (across < 0 || !reaches(facet, face, mesh.polytope(part))) continue;
+    const int back = faceTowards(mesh.topology(), across, element);
     for (const FacePair& pair : mesh.facePairs(element, face))
       if (pair.part == part && !pair.severed && crack.refused.count(pair.other) == 0 &&
           crosses(crack, mesh, pair.other, back))
-        fringes->push_back({number, part, pair.other, back});
+        fringes->push_back({facet.crack, part, pair.other, back});
   }
 }
 
 }  // namespace
+
+bool reaches(const Facet& facet, int face, const Polytope& polytope) {
+  return std::count_if(facet.corners.begin(), facet.corners.end(),
+                       [&](int c) { return polytope.corners[c][face] == 0; }) >= 2;
+}
+
+int faceTowards(const MeshTopology& topology, int element, int across) {
+  int face = 0;
+  while (topology.neighbours[element][face] != across) ++face;
+  return face;
+}
 
 std::optional<Eigen::Vector4d> phiAt(const GrowingCrack& crack, const Part& part) {
   Eigen::Vector4d phi;
@@ -71,8 +70,8 @@ std::vector<Fringe> findFringes(const CutMesh& mesh, const GrowingCracks& cracks
     for (const Facet& facet : mesh.polytope(p).facets) {
       const auto found = cracks.find(facet.crack);
       if (found == cracks.end()) continue;
-      const auto phi = phiAt(found->second, mesh.parts()[p]);
-      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, found->first, found->second, p, facet, &fringes);
+      const auto phi = phiAt(*found->second, mesh.parts()[p]);
+      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, *found->second, p, facet, &fringes);
     }
   }
   return fringes;

@@ -36,7 +36,26 @@ double angleNear(const FaceFrame& frame, const Vec3& normal, double from) {
   return from + turn;
 }
 
+/// ∇φ [1] in the body as it is deformed, of a field given at a part's copies.
+Vec3 gradient(const Part& part, const Eigen::Vector4d& phi, const std::vector<Vec3>& x) {
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k) edges.row(k) = x[part.copies[k + 1]] - x[part.copies[0]];
+  return edges.fullPivLu().solve(Vec3(phi.tail<3>().array() - phi[0]));
+}
+
 }  // namespace
+
+Front frontOf(const Fringe& fringe, const GrowingCrack& crack, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  const Part &ahead = mesh.parts()[fringe.ahead], &behind = mesh.parts()[fringe.behind];
+  Front front;
+  for (int i = 0; i < 3; ++i) {
+    const int copy = ahead.copies[FACE_NODES[fringe.face][i]];
+    front.face[i] = x[copy];
+    front.phi[i] = crack.phi.at(copy);
+  }
+  front.behind = gradient(behind, *phiAt(crack, behind), x);
+  return front;
+}
 
 // On the face φ is given: its gradient there is s e, e unit, and the crack ends along the line ℓ = m × e, m being the
 // face's unit normal. A plane through this line has its normal in the plane of e and m, at an angle θ from e. In the
@@ -66,9 +85,25 @@ Vec3 middleOf(const Front& front) {
   return sum / ends;
 }
 
-Vec3 lineOf(const Front& front) {
+Vec3 normalTowards(const Front& front, const Vec3& point) {
   const FaceFrame frame = frameOf(front);
-  return frame.across.cross(frame.up);
+  return frame.across.cross(frame.up).cross(point - middleOf(front));
+}
+
+std::vector<CrackFace> crackFaces(const CutMesh& mesh) {
+  std::vector<CrackFace> faces;
+  for (int p = 0; p < static_cast<int>(mesh.parts().size()); ++p) {
+    if (mesh.parts()[p].detail < 0) continue;
+    const Polytope& polytope = mesh.polytope(p);
+    for (const Facet& facet : polytope.facets) {
+      if (facet.face >= 0) continue;
+      std::vector<Barycentric> corners;
+      for (int c : facet.corners) corners.push_back(polytope.corners[c]);
+      for (const Barycentric& corner : corners) faces.push_back({facet.crack, p, corner});
+      faces.push_back({facet.crack, p, polygonCentroid(corners)});
+    }
+  }
+  return faces;
 }
 
 }  // namespace incision

@@ -45,6 +45,10 @@ void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<in
   stress_.topologyChanged(assembly);
   loading_.resize(mesh.parts().size());
   fringes_ = findFringes(mesh, cracks_);
+  if (fuses()) {
+    faces_ = crackFaces(mesh);
+    targets_.resize(fringes_.size());
+  }
   beside_.assign(mesh.numCopies(), 0);
   for (const Fringe& fringe : fringes_)
     for (int c : mesh.parts()[fringe.ahead].copies) beside_[c] = 1;
@@ -80,7 +84,7 @@ std::optional<CrackField> CrackGrowth::field(const CrackAdvance& advance, const 
   if (field.parts.empty()) return std::nullopt;
   field.phi.assign(mesh.numCopies(), 0);
   if (advance.crack >= 0) {
-    const GrowingCrack& crack = cracks_.at(advance.crack);
+    const GrowingCrack& crack = *cracks_.at(advance.crack);
     for (int p : field.parts)
       for (int c : mesh.parts()[p].copies)
         if (const auto known = crack.phi.find(c); known != crack.phi.end()) field.phi[c] = known->second;
@@ -89,9 +93,9 @@ std::optional<CrackField> CrackGrowth::field(const CrackAdvance& advance, const 
   return field;
 }
 
-CrackEvent CrackGrowth::inserted(double time, const CrackAdvance& advance, const CrackField& field,
-                                 const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  CrackEvent event;
+CrackResult CrackGrowth::inserted(double time, const CrackAdvance& advance, const CrackField& field,
+                                  const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  CrackResult event;
   event.time = time;
   event.change = advance.crack < 0 ? CrackChange::STARTED : CrackChange::GREW;
   event.crack = done.crack;
@@ -102,57 +106,62 @@ CrackEvent CrackGrowth::inserted(double time, const CrackAdvance& advance, const
   event.where = surface.centroid;
   if (surface.area.norm() > 0) event.normal = surface.area.normalized();
 
-  remember(field, done, mesh);
+  GrowingCrack& crack = remember(field, done, mesh);
+  const std::set<int> split(done.parts.begin(), done.parts.end());
   for (std::size_t i = 0; i < advance.parts.size(); ++i)
-    if (std::find(done.parts.begin(), done.parts.end(), advance.parts[i]) != done.parts.end())
-      cracks_[done.crack].reached[mesh.parts()[advance.parts[i]].element] = advance.reached[i];
+    if (split.count(advance.parts[i]) > 0) crack.reached[mesh.parts()[advance.parts[i]].element] = advance.reached[i];
   // What a fringe could not split now, it never will.
   for (int p : field.parts)
-    if (std::find(done.parts.begin(), done.parts.end(), p) == done.parts.end()) cracks_[done.crack].refused.insert(p);
+    if (split.count(p) == 0) crack.refused.insert(p);
   return event;
 }
 
-CrackEvent CrackGrowth::refused(double time, const CrackAdvance& advance) {
-  CrackEvent event;
+CrackResult CrackGrowth::refused(double time, const CrackAdvance& advance) {
+  CrackResult event;
   event.time = time;
   event.crack = advance.crack;
   event.change = CrackChange::STOPPED;
   event.kind = advance.loading.kind;
   event.stress = advance.loading.stress;
-  std::set<int>& refused = advance.crack < 0 ? barred_ : cracks_.at(advance.crack).refused;
+  std::set<int>& refused = advance.crack < 0 ? barred_ : cracks_.at(advance.crack)->refused;
   refused.insert(advance.parts.begin(), advance.parts.end());
   const auto gone = [&](const Fringe& fringe) {
     return fringe.crack == advance.crack && refused.count(fringe.ahead) > 0;
   };
   fringes_.erase(std::remove_if(fringes_.begin(), fringes_.end(), gone), fringes_.end());
+  if (fuses()) targets_.resize(fringes_.size());
   return event;
 }
 
-void CrackGrowth::adopt(double time, const CrackField& field, const Insertion& done, const CutMesh& mesh) {
+void CrackGrowth::adopt(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
   remember(field, done, mesh);
-  for (int p : done.parts) cracks_[done.crack].reached[mesh.parts()[p].element] = time;
 }
 
 /// Keeps φ at the copies that the split parts had before.
-void CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
-  GrowingCrack& crack = cracks_[done.crack];
+GrowingCrack& CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
+  std::shared_ptr<GrowingCrack>& crack = cracks_[done.crack];
+  if (!crack) {
+    crack = std::make_shared<GrowingCrack>();
+    crack->number = done.crack;
+  }
   const int before = static_cast<int>(field.phi.size());
   for (int p : done.parts)
     for (int c : mesh.parts()[p].copies) {
       const int old = c < before ? c : mesh.copyParent(c);
-      crack.phi[old] = field.phi[old];
+      crack->phi[old] = field.phi[old];
     }
   inherit(mesh);
   wait(done.touched);
+  return *crack;
 }
 
 /// New copies have φ of every crack from their parents.
 void CrackGrowth::inherit(const CutMesh& mesh) {
   for (; known_copies_ < mesh.numCopies(); ++known_copies_)
     for (auto& [number, crack] : cracks_)
-      if (const auto parent = crack.phi.find(mesh.copyParent(known_copies_)); parent != crack.phi.end()) {
+      if (const auto parent = crack->phi.find(mesh.copyParent(known_copies_)); parent != crack->phi.end()) {
         const double phi = parent->second;  // of its own, as the next line may move it
-        crack.phi[known_copies_] = phi;
+        crack->phi[known_copies_] = phi;
       }
 }
 

@@ -1,14 +1,30 @@
 #include "incision/fracture/stress.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "incision/fracture/fringe.h"
 #include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {
 
-/// All pairs of parts that share a face and are not severed there.
+bool hasFacetOf(const Polytope& polytope, int crack) {
+  return std::any_of(polytope.facets.begin(), polytope.facets.end(),
+                     [crack](const Facet& facet) { return facet.crack == crack; });
+}
+
+/// Whether a crack that splits the part ends at this face of it, so that it does not split the part across.
+bool crackEndsAt(const CutMesh& mesh, int part, int face, int across) {
+  const Polytope& polytope = mesh.polytope(part);
+  return std::any_of(polytope.facets.begin(), polytope.facets.end(), [&](const Facet& facet) {
+    return facet.face < 0 && reaches(facet, face, polytope) && !hasFacetOf(mesh.polytope(across), facet.crack);
+  });
+}
+
+/// All pairs of parts that share a face, are not severed there, and of which not one alone is split by a crack that
+/// reaches the face.
 std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
   std::vector<std::pair<int, int>> joined;
   joined.reserve(2 * mesh.parts().size());
@@ -21,8 +37,11 @@ std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
         joined.emplace_back(e, across);
         continue;
       }
+      const int back = faceTowards(mesh.topology(), across, e);
       for (const FacePair& pair : mesh.facePairs(e, face))
-        if (!pair.severed) joined.emplace_back(pair.part, pair.other);
+        if (!pair.severed && !crackEndsAt(mesh, pair.part, face, pair.other) &&
+            !crackEndsAt(mesh, pair.other, back, pair.part))
+          joined.emplace_back(pair.part, pair.other);
     }
   return joined;
 }

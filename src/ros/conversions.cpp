@@ -85,6 +85,20 @@ CutReport toReport(const CutResult& result) {
   return report;
 }
 
+CrackEvent toEvent(const CrackResult& result) {
+  CrackEvent event;
+  event.time = result.time;
+  event.crack = result.crack;
+  event.change = static_cast<std::uint8_t>(result.change);
+  event.other = result.other;
+  event.elements = static_cast<std::uint32_t>(result.elements.size());
+  event.where = toPoint(result.where);
+  event.normal = toVector3(result.normal);
+  event.kind = static_cast<std::uint8_t>(result.kind);
+  event.stress = result.stress;
+  return event;
+}
+
 std::string toHex(std::uint64_t hash) {
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016" PRIx64, hash);

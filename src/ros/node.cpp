@@ -37,7 +37,7 @@ IncisionNode::IncisionNode()
       body_(settings_.scene, loadMesh(settings_.scene), settings_.descriptions),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
-      reporter_(node_, settings_.scene.body.frame),
+      reporter_(node_, settings_.scene.body.frame, settings_.scene.fracture.has_value()),
       markers_(node_, settings_.scene.body.frame, settings_.marker_rate, body_.obstacles()),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
@@ -129,6 +129,7 @@ void IncisionNode::step() {
   pacer_->stepTaken();
   real_time_factor_.add(now(), body_.time());
   for (const CutResult& result : last_step_.cuts) reporter_.report(result);
+  for (const CrackResult& result : last_step_.cracks) reporter_.report(result);
 }
 
 void IncisionNode::stepFailed(const std::string& why) {

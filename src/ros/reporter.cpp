@@ -15,8 +15,10 @@ constexpr double WARNING_PERIOD = 2;
 
 }  // namespace
 
-Reporter::Reporter(ros::NodeHandle& node, const std::string& body_frame)
-    : body_frame_(body_frame), publisher_(node.advertise<CutReport>("cut_report", REPORT_QUEUE, true)) {}
+Reporter::Reporter(ros::NodeHandle& node, const std::string& body_frame, bool breaks)
+    : body_frame_(body_frame), publisher_(node.advertise<CutReport>("cut_report", REPORT_QUEUE, true)) {
+  if (breaks) crack_publisher_ = node.advertise<CrackEvent>("crack_event", REPORT_QUEUE);
+}
 
 void Reporter::setPieces(int pieces) { pieces_ = pieces; }
 
@@ -24,6 +26,16 @@ void Reporter::report(const CutResult& result) {
   if (result.status == CutStatus::REJECTED) count({Refusal::BY_BODY, result.reason});
   setPieces(result.pieces);
   publish(result);
+}
+
+void Reporter::report(const CrackResult& result) {
+  if (result.change == CrackChange::STOPPED)
+    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "a limit of parts or copies stopped a crack");
+  if (crack_publisher_.getNumSubscribers() == 0) return;
+  CrackEvent event = toEvent(result);
+  event.header.stamp = ros::Time::now();
+  event.header.frame_id = body_frame_;
+  crack_publisher_.publish(event);
 }
 
 void Reporter::refuseCut(const std::string& label, const Refused& refused) {

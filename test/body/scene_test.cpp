@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -172,6 +173,9 @@ BadScene inScene(const std::string& entry, const std::string& key) { return {BOD
 BadScene inCut(const std::string& entry, const std::string& key) {
   return inScene("cuts: [{normal: [1, 0, 0], " + entry + "}]", "cuts.0" + key);
 }
+BadScene inFracture(const std::string& entry, const std::string& key) {
+  return inScene("fracture: {" + entry + "}", "fracture." + key);
+}
 BadScene inTool(const std::string& entry, const std::string& key) {
   return inScene("tool: {link: blade, " + entry + "}", "tool" + key);
 }
@@ -212,6 +216,33 @@ INSTANTIATE_TEST_SUITE_P(
                       inScene("solver: {time_step: 2}", "solver.time_step"),
                       inScene("solver: {tolerance: 1}", "solver.tolerance"),
                       inScene("solver: {threads: 65}", "solver.threads"), inScene("solver: 5", "solver")));
+
+INSTANTIATE_TEST_SUITE_P(
+    Fracture, RefusedScene,
+    ::testing::Values(inScene("fracture: {}", "fracture: needs a tensile_strength or a compressive_strength"),
+                      inScene("fracture: {tensile_strength: .inf}", "fracture: needs a tensile_strength"),
+                      inFracture("tensile_strength: 0", "tensile_strength"),
+                      inFracture("tensile_strength: -1e5", "tensile_strength"),
+                      inFracture("tensile_strength: .nan", "tensile_strength"),
+                      inFracture("tensile_strength: strong", "tensile_strength"),
+                      inFracture("compressive_strength: -.inf", "compressive_strength"),
+                      inFracture("crack_speed: 0", "crack_speed"), inFracture("crack_speed: [1]", "crack_speed"),
+                      inFracture("fuse_distance: -1", "fuse_distance"),
+                      inFracture("fuse_distance: .inf", "fuse_distance"), inFracture("fuse_angle: 1.6", "fuse_angle"),
+                      inFracture("toughness: 1", "toughness: unknown key")));
+
+TEST(Scene, FractureArrivesInItsSettings) {
+  const Scene scene = parse(BODY +
+                            "fracture: {tensile_strength: 1e5, compressive_strength: '.inf', crack_speed: 20, "
+                            "fuse_distance: 0.01, fuse_angle: 0.5}");
+  ASSERT_TRUE(scene.fracture);
+  EXPECT_EQ(scene.fracture->tensile_strength, 1e5);
+  EXPECT_TRUE(std::isinf(scene.fracture->compressive_strength));
+  EXPECT_EQ(scene.fracture->crack_speed, 20);
+  EXPECT_EQ(scene.fracture->fuse_distance, 0.01);
+  EXPECT_EQ(scene.fracture->fuse_angle, 0.5);
+  EXPECT_FALSE(parse(BODY).fracture);
+}
 
 INSTANTIATE_TEST_SUITE_P(
     CutsAndTools, RefusedScene,

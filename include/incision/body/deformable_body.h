@@ -9,6 +9,7 @@
 
 #include "incision/body/scene.h"
 #include "incision/contact/contact.h"
+#include "incision/fracture/cohesion.h"
 #include "incision/fracture/growth.h"
 #include "incision/surface/surface.h"
 
@@ -46,8 +47,8 @@ struct PhaseTimes {
 };
 
 struct StepResult {
-  std::vector<CutResult> cuts;     ///< those that took effect before this step
-  std::vector<CrackEvent> cracks;  ///< what cracks did in this step
+  std::vector<CutResult> cuts;      ///< those that took effect before this step
+  std::vector<CrackResult> cracks;  ///< what cracks did in this step
   ContactReport contact;
   int iterations = 0;   ///< of the linear solve; 0 when direct
   double residual = 0;  ///< relative

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "incision/mesh/tet_mesh.h"
+#include "incision/fracture/fringe.h"
 
 namespace incision {
 
@@ -17,6 +17,8 @@ struct Front {
   Vec3 behind;               ///< ∇φ in the element behind the face
 };
 
+Front frontOf(const Fringe& fringe, const GrowingCrack& crack, const CutMesh& mesh, const std::vector<Vec3>& x);
+
 /// φ [m] at a point beyond the face such that the crack keeps its line on the face and, turning about it, comes as
 /// close to the plane with this normal (of either sense) as MAX_TURN allows.
 double phiBeyond(const Front& front, const Vec3& normal, const Vec3& point);
@@ -24,7 +26,17 @@ double phiBeyond(const Front& front, const Vec3& normal, const Vec3& point);
 /// The middle of the crack's line on the face [m].
 Vec3 middleOf(const Front& front);
 
-/// Direction of the crack's line on the face.
-Vec3 lineOf(const Front& front);
+/// Normal of the plane through the crack's line on the face and a point.
+Vec3 normalTowards(const Front& front, const Vec3& point);
+
+/// A point of a crack's face, for what comes near it.
+struct CrackFace {
+  int crack;
+  int part;
+  Barycentric point;
+};
+
+/// Corners and centroids of all facets that cracks have cut.
+std::vector<CrackFace> crackFaces(const CutMesh& mesh);
 
 }  // namespace incision

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "incision/fem/assembly.h"
 #include "incision/fracture/fringe.h"
+#include "incision/fracture/front.h"
 #include "incision/fracture/rankine.h"
 #include "incision/fracture/stress.h"
 
@@ -24,7 +26,7 @@ struct CrackAdvance {
 enum class CrackChange : std::uint8_t { STARTED = 0, GREW = 1, FUSED = 2, STOPPED = 3 };
 
 /// What a crack did in one step.
-struct CrackEvent {
+struct CrackResult {
   double time = 0;  ///< at which the step starts [s]
   int crack = -1;
   CrackChange change = CrackChange::STARTED;
@@ -47,6 +49,11 @@ class CrackGrowth {
   void topologyChanged(const Assembly& assembly, const std::vector<int>& touched);
   void stepTaken();
 
+  /// Makes one crack of two whose fringes come within `fuse_distance` and `fuse_angle` of each other, one of them by
+  /// its own growth: from now on they share their distances, so their surfaces meet without a step. Returns what to
+  /// tell.
+  std::vector<CrackResult> fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x);
+
   /// How the cracks advance in a step of `time_step` that starts at `time` [s] with the copies at `x` [m], which belong
   /// to the pieces `piece`: each crack at most once, by one element from each of its fringes, and each piece in which
   /// none advances starts at most one, at its most loaded part.
@@ -58,28 +65,41 @@ class CrackGrowth {
   std::optional<CrackField> field(const CrackAdvance& advance, const CutMesh& mesh) const;
 
   /// The crack went into the mesh. Returns what to tell of it.
-  CrackEvent inserted(double time, const CrackAdvance& advance, const CrackField& field, const Insertion& done,
-                      const CutMesh& mesh, const std::vector<Vec3>& x);
+  CrackResult inserted(double time, const CrackAdvance& advance, const CrackField& field, const Insertion& done,
+                       const CutMesh& mesh, const std::vector<Vec3>& x);
 
   /// The crack could not go into the mesh: it never tries these parts again. Returns what to tell where it matters.
-  CrackEvent refused(double time, const CrackAdvance& advance);
+  CrackResult refused(double time, const CrackAdvance& advance);
 
   /// A cut given from outside can grow like a crack. It must pass no node closer than SNAP.
-  void adopt(double time, const CrackField& field, const Insertion& done, const CutMesh& mesh);
+  void adopt(const CrackField& field, const Insertion& done, const CutMesh& mesh);
 
  private:
   struct PieceLoad;
 
+  /// What a fringe runs into, where cracks fuse.
+  struct Target {
+    Vec3 middle;                // of the fringe [m]
+    std::optional<Vec3> point;  // of another crack's face [m]
+    bool runs = false;          // there, as it has grown and goes on without load
+    bool rests = false;         // as another fringe runs towards its crack
+  };
+
+  bool fuses() const { return settings_.fuse_distance > 0; }
   double load(const Assembly& assembly, const std::vector<Vec3>& x);
   void wait(const std::vector<int>& nodes);
   bool waits(const CutMesh& mesh, int part) const;
   bool isBeside(const CutMesh& mesh, int part) const;
   std::vector<PieceLoad> mostLoaded(const CutMesh& mesh, const std::vector<int>& piece) const;
+  bool hasGrown(const Fringe& fringe, const CutMesh& mesh) const;
+  void join(int crack, int other, double sense);
+  void findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, const std::vector<int>& piece);
   double arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
-  CrackAdvance grow(int crack, const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
-                    const std::vector<Vec3>& x) const;
+  double phiAhead(int fringe, const CutMesh& mesh, const std::vector<Vec3>& x) const;
+  std::vector<CrackAdvance> grow(const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
+                                 const std::vector<Vec3>& x) const;
   CrackAdvance start(int part, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
-  void remember(const CrackField& field, const Insertion& done, const CutMesh& mesh);
+  GrowingCrack& remember(const CrackField& field, const Insertion& done, const CutMesh& mesh);
   void inherit(const CutMesh& mesh);
 
   FractureSettings settings_;
@@ -89,8 +109,10 @@ class CrackGrowth {
   SmoothedStress stress_;
   std::vector<Loading> loading_;  // of every part
   std::vector<Fringe> fringes_;
-  std::vector<char> beside_;   // of every copy: used by a part at a fringe
-  std::vector<char> waiting_;  // of every node
+  std::vector<CrackFace> faces_;  // of all cracks, where cracks fuse
+  std::vector<Target> targets_;   // of every fringe, where cracks fuse
+  std::vector<char> beside_;      // of every copy: used by a part at a fringe
+  std::vector<char> waiting_;     // of every node
   bool any_waiting_ = false;
 };
 

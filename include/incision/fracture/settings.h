@@ -17,6 +17,8 @@ struct FractureSettings {
   double fuse_distance = 0;
   /// Largest angle [rad] between two fringes that become one crack, from 0 to π/2.
   double fuse_angle = 0;
+  /// Energy G [J/m²] that opening a crack takes, > 0. Without it cracks open freely.
+  std::optional<double> fracture_energy;
 };
 
 }  // namespace incision

@@ -5,6 +5,7 @@
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Vector3.h>
 #include <incision/BodyState.h>
+#include <incision/CrackEvent.h>
 #include <incision/CutPlane.h>
 #include <incision/CutReport.h>
 
@@ -37,6 +38,7 @@ Pose transformed(const Pose& pose, const Eigen::Isometry3d& to_frame);
 
 /// All but the header.
 CutReport toReport(const CutResult& result);
+CrackEvent toEvent(const CrackResult& result);
 
 /// 16 hexadecimal digits.
 std::string toHex(std::uint64_t hash);

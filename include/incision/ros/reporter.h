@@ -1,6 +1,7 @@
 #pragma once
 
 #include <incision/BodyState.h>
+#include <incision/CrackEvent.h>
 #include <incision/CutReport.h>
 #include <ros/node_handle.h>
 
@@ -12,16 +13,21 @@
 
 namespace incision {
 
-/// Tells what became of the commands: publishes the cut reports, counts and logs what was refused. Thread-safe.
+/// Tells what became of the commands and what the body did by itself: publishes cut reports and crack events, counts
+/// and logs what was refused. Thread-safe.
 class Reporter {
  public:
-  Reporter(ros::NodeHandle& node, const std::string& body_frame);
+  /// There are crack events only of a body that `breaks`.
+  Reporter(ros::NodeHandle& node, const std::string& body_frame, bool breaks);
 
   /// The body's pieces now; every report says them, also of cuts that never reach the body.
   void setPieces(int pieces);
 
   /// A cut that the body has answered.
   void report(const CutResult& result);
+
+  /// What a crack did in a step.
+  void report(const CrackResult& result);
 
   /// A cut, or a tool pose, that did not get as far as the body.
   void refuseCut(const std::string& label, const Refused& refused);
@@ -35,7 +41,7 @@ class Reporter {
   void publish(const CutResult& result);
 
   const std::string body_frame_;
-  ros::Publisher publisher_;
+  ros::Publisher publisher_, crack_publisher_;
   std::array<std::atomic<std::uint64_t>, NUM_REFUSALS> counts_ = {};
   std::atomic<int> pieces_ = 0;
 };

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+
+#include "incision/fracture/growth.h"
+#include "incision/mesh/parallel.h"
+
+namespace incision {
+namespace {
+
+Vec3 at(const CrackFace& face, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  Vec3 y = Vec3::Zero();
+  for (int I = 0; I < 4; ++I) y += face.point[I] * x[mesh.parts()[face.part].copies[I]];
+  return y;
+}
+
+/// Forward in the crack's plane, across its line.
+Vec3 forward(const Front& front, const Vec3& behind) {
+  const Vec3 n = front.behind.normalized(), away = middleOf(front) - behind;
+  return away - n.dot(away) * n;
+}
+
+Vec3 centre(const Part& part, const std::vector<Vec3>& x) {
+  return (x[part.copies[0]] + x[part.copies[1]] + x[part.copies[2]] + x[part.copies[3]]) / 4;
+}
+
+bool haveMet(const GrowingCrack& a, const GrowingCrack& b) {
+  return std::any_of(a.phi.begin(), a.phi.end(), [&](const auto& known) { return b.phi.count(known.first) > 0; });
+}
+
+}  // namespace
+
+bool CrackGrowth::hasGrown(const Fringe& fringe, const CutMesh& mesh) const {
+  return cracks_.at(fringe.crack)->reached.count(mesh.parts()[fringe.behind].element) > 0;
+}
+
+std::vector<CrackResult> CrackGrowth::fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  std::vector<CrackResult> events;
+  if (!fuses() || settings_.fuse_angle <= 0) return events;
+  for (std::size_t i = 0; i < fringes_.size(); ++i) {
+    if (!hasGrown(fringes_[i], mesh)) continue;
+    for (const Fringe& other : fringes_) {
+      const int crack = fringes_[i].crack;
+      if (cracks_.at(other.crack) == cracks_.at(crack)) continue;
+      const Front a = frontOf(fringes_[i], *cracks_.at(crack), mesh, x);
+      const Front b = frontOf(other, *cracks_.at(other.crack), mesh, x);
+      const double cosine = a.behind.normalized().dot(b.behind.normalized());
+      if ((middleOf(a) - middleOf(b)).norm() > settings_.fuse_distance) continue;
+      if (std::abs(cosine) < std::cos(settings_.fuse_angle)) continue;
+      if (haveMet(*cracks_.at(crack), *cracks_.at(other.crack))) continue;  // they run into each other instead
+      CrackResult event;
+      event.time = time;
+      event.change = CrackChange::FUSED;
+      event.crack = std::min(crack, other.crack);
+      event.other = std::max(crack, other.crack);
+      event.where = (middleOf(a) + middleOf(b)) / 2;
+      event.normal = a.behind.normalized();
+      events.push_back(event);
+      join(event.crack, event.other, cosine < 0 ? -1 : 1);
+    }
+  }
+  return events;
+}
+
+/// One crack of two, of which the other's φ has this sense.
+void CrackGrowth::join(int crack, int other, double sense) {
+  const std::shared_ptr<GrowingCrack> kept = cracks_.at(crack), joined = cracks_.at(other);
+  for (const auto& [copy, phi] : joined->phi) kept->phi.emplace(copy, sense * phi);
+  kept->reached.insert(joined->reached.begin(), joined->reached.end());
+  kept->refused.insert(joined->refused.begin(), joined->refused.end());
+  for (auto& [number, grown] : cracks_)
+    if (grown == joined) grown = kept;
+}
+
+/// For each fringe, the nearest point of another crack's face in the same piece that lies ahead within `fuse_distance`.
+/// Of two fringes that close, that of the crack with the higher number rests while the other runs, or they would cut
+/// out what lies between them.
+void CrackGrowth::findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, const std::vector<int>& piece) {
+  const auto pieceOf = [&](int part) { return piece[mesh.parts()[part].copies[0]]; };
+  parallelFor(static_cast<int>(fringes_.size()), mesh.threads(), [&](int i) {
+    const Fringe& fringe = fringes_[i];
+    const Front front = frontOf(fringe, *cracks_.at(fringe.crack), mesh, x);
+    const Vec3 ahead = forward(front, centre(mesh.parts()[fringe.behind], x));
+    double nearest = settings_.fuse_distance;
+    targets_[i] = {middleOf(front), std::nullopt, false, false};
+    for (const CrackFace& face : faces_) {
+      if (face.crack == fringe.crack || pieceOf(face.part) != pieceOf(fringe.ahead)) continue;
+      const Vec3 to = at(face, mesh, x) - targets_[i].middle;
+      if (to.norm() > nearest || to.dot(ahead) < 0) continue;
+      nearest = to.norm();
+      targets_[i].point = targets_[i].middle + to;
+    }
+    targets_[i].runs = targets_[i].point && hasGrown(fringe, mesh);
+  });
+  for (std::size_t i = 0; i < fringes_.size(); ++i)
+    for (std::size_t j = 0; j < fringes_.size(); ++j)
+      if (targets_[j].runs && fringes_[j].crack < fringes_[i].crack &&
+          (targets_[i].middle - targets_[j].middle).norm() < settings_.fuse_distance)
+        targets_[i].rests = true;
+  for (Target& target : targets_) target.runs = target.runs && !target.rests;
+}
+
+}  // namespace incision
