@@ -169,6 +169,8 @@ void IncisionNode::publishState() {
   state.step_ms = last_step_.step_ms;
   state.iterations = last_step_.iterations;
   state.residual = last_step_.residual;
+  state.contacts = last_step_.contact.count;
+  state.deepest_contact = last_step_.contact.deepest;
   state.real_time_factor = real_time_factor_.value();
   state.clock_lag = pacer_->lag();
   reporter_.fillState(state);

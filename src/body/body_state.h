@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <limits>
+
+#include "incision/body/deformable_body.h"
+#include "incision/solver/implicit_step.h"
+#include "incision/tool/stroke.h"
+
+namespace incision {
+
+/// A command due within this [s] of a step's start takes effect before it.
+inline constexpr double DUE_TOLERANCE = 1e-9;
+
+using Clock = std::chrono::steady_clock;
+
+inline double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What a body is made of. Commands change the mesh, steps the motion.
+struct DeformableBody::State {
+  State(const Scene& s, TetMesh rest, const Descriptions& descriptions);
+
+  void start();
+  void placeNewCopies();
+  void topologyChanged(const std::vector<int>& touched = {});
+  CrackField fieldOf(const PlaneCut& plane) const;
+  CutResult cut(const PlaneCut& plane);
+  std::optional<CutResult> moveTool(const Pose& pose);
+  std::optional<CutResult> endStroke();
+  void applyDue(StepResult* result);
+  void fracture(StepResult* result);
+  const Surface& currentSurface() const;
+  bool advance(double time, double time_step);
+  bool advanceInHalves(double time, double time_step);
+  std::optional<Pose> scenePose() const;
+  double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
+
+  Scene scene;
+  CutMesh mesh;
+  ImplicitStep step;
+  Motion motion;
+  std::int64_t steps = 0;
+  std::deque<ScheduledCut> scheduled;                             // by time; equal times in the order they came
+  Edge edge;                                                      // of the blade, in its link's frame
+  double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
+  std::optional<Pose> tool_pose;
+  std::optional<CrackGrowth> growth;  // where the scene lets the body break
+  std::optional<Cohesion> cohesion;   // where opening a crack takes energy
+  std::optional<Contact> contact;     // where the scene lets the body touch
+  LinkMotion links;                   // of the obstacles, from the step's start to its end
+  ContactReport touching;
+  double contact_ms = 0;  // to find what may touch in the step
+  Stroke stroke;
+  CutResult stroke_result;
+  std::uint64_t topology_version = 0;
+  std::uint64_t contact_version = 0;
+  mutable Surface surface;
+  mutable std::uint64_t surface_version = 0;
+};
+
+}  // namespace incision

@@ -1,0 +1,149 @@
+#include <algorithm>
+
+#include "body_state.h"
+#include "incision/mesh/input_error.h"
+#include "incision/mesh/node_order.h"
+
+namespace incision {
+namespace {
+
+TetMesh withOrderedElements(TetMesh mesh) {
+  orderElements(&mesh);
+  return mesh;
+}
+
+}  // namespace
+
+DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& descriptions)
+    : scene(s),
+      mesh(withOrderedElements(std::move(rest)), s.solver.threads),
+      step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
+  if (scene.tool) edge = bladeEdge(*scene.tool, descriptions.tool, scene.tool->description);
+  if (scene.contact)
+    contact.emplace(*scene.contact, loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles),
+                    scene.body.material.young_modulus, scene.solver.threads);
+  for (std::size_t n = 0; n < mesh.mesh().nodes.size(); ++n)
+    least_motion = std::min(least_motion, SNAP * mesh.shortestEdge(static_cast<int>(n)));
+  start();
+}
+
+void DeformableBody::State::start() {
+  motion.x.clear();
+  for (int c = 0; c < mesh.numCopies(); ++c) motion.x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
+  motion.v.assign(motion.x.size(), Vec3::Zero());
+  steps = 0;
+  scheduled.assign(scene.cuts.begin(), scene.cuts.end());
+  std::stable_sort(scheduled.begin(), scheduled.end(),
+                   [](const ScheduledCut& a, const ScheduledCut& b) { return a.time < b.time; });
+  tool_pose.reset();
+  stroke = Stroke();
+  stroke_result = CutResult();
+  if (scene.fracture) growth.emplace(*scene.fracture);
+  if (scene.fracture && scene.fracture->fracture_energy)
+    cohesion.emplace(*scene.fracture, scene.body.material.young_modulus);
+  if (contact) {
+    contact->reset();
+    links = LinkMotion();
+    for (const ObstacleLink& link : contact->obstacles().links) links.to.push_back(link.pose);
+    links.from = links.to;
+  }
+  topologyChanged();
+}
+
+/// New copies start where their parent is, and move as it does.
+void DeformableBody::State::placeNewCopies() {
+  for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
+    motion.x.push_back(motion.x[mesh.copyParent(c)]);
+    motion.v.push_back(motion.v[mesh.copyParent(c)]);
+  }
+}
+
+void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
+  placeNewCopies();
+  step.topologyChanged(motion, touched);
+  if (growth) growth->topologyChanged(step.assembly(), touched);
+  if (cohesion) cohesion->topologyChanged(mesh);
+  ++topology_version;
+}
+
+/// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
+void DeformableBody::State::fracture(StepResult* result) {
+  const double now = time();
+  result->cracks = growth->fuse(now, mesh, motion.x);
+  std::vector<int> touched;
+  for (const CrackAdvance& advance :
+       growth->advances(now, scene.solver.time_step, step.assembly(), motion.x, step.pieceOf())) {
+    const std::optional<CrackField> field = growth->field(advance, mesh);
+    if (!field) continue;
+    try {
+      const Insertion done = mesh.insert(*field);
+      if (!done.changed()) {
+        growth->refused(now, advance);
+        continue;
+      }
+      placeNewCopies();
+      result->cracks.push_back(growth->inserted(now, advance, *field, done, mesh, motion.x));
+      if (cohesion) cohesion->add(done, mesh, motion.x);
+      touched.insert(touched.end(), done.touched.begin(), done.touched.end());
+    } catch (const InputError& limit) {
+      result->cracks.push_back(growth->refused(now, advance));
+    }
+  }
+  if (!touched.empty()) topologyChanged(touched);
+}
+
+const Surface& DeformableBody::State::currentSurface() const {
+  if (surface_version != topology_version) {
+    surface = buildSurface(mesh);
+    surface_version = topology_version;
+  }
+  return surface;
+}
+
+/// One step of `time_step`, in which the obstacles move from links.from to links.to. Returns false with nothing
+/// changed.
+bool DeformableBody::State::advance(double time, double time_step) {
+  const bool holds = cohesion && !cohesion->empty();
+  if (!contact && !holds) return step.advance(time, time_step, &motion);
+  if (contact) {
+    const auto start = Clock::now();
+    if (contact_version != topology_version) contact->surfaceChanged(currentSurface(), mesh, step.pieceOf());
+    contact_version = topology_version;
+    contact->begin(motion, time_step, links);
+    contact_ms = 1e3 * secondsSince(start);
+  }
+  if (holds) cohesion->begin(mesh, motion.x);
+  const auto couple = [&](double dt, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
+    couplings->clear();
+    const bool touch_changes = contact && contact->update(dt, v_end, couplings);
+    const bool hold_changes = holds && cohesion->update(dt, v_end, couplings);
+    return touch_changes || hold_changes;
+  };
+  if (!step.advance(time, time_step, &motion, couple)) return false;
+  if (holds) cohesion->accept(motion.x);
+  if (!contact) return true;
+  touching = contact->accept(time_step, motion.v);
+  links.from = links.to;
+  return true;
+}
+
+/// Two steps of half the length; returns false, with the state as it was, when one of them fails.
+bool DeformableBody::State::advanceInHalves(double time, double time_step) {
+  const Motion before = motion;
+  const LinkMotion whole = links;
+  const std::optional<Contact> contact_before = contact;
+  const std::optional<Cohesion> cohesion_before = cohesion;
+  const double half = time_step / 2;
+  for (std::size_t i = 0; i < links.to.size(); ++i) links.to[i] = between(whole.from[i], whole.to[i], 0.5);
+  if (advance(time, half)) {
+    links.to = whole.to;
+    if (advance(time + half, half)) return true;
+  }
+  motion = before;
+  links = whole;
+  contact = contact_before;
+  cohesion = cohesion_before;
+  return false;
+}
+
+}  // namespace incision
