@@ -104,8 +104,9 @@ void Assembly::sumCorners(int c) {
   }
 }
 
-void Assembly::rotate(const std::vector<Vec3>& x) {
-  if (!warping_) return;
+/// Calls f(p, F_p, R_p) for every part, with the gradient and the rotation that belong to `x`.
+template <typename Function>
+void Assembly::turnAll(const std::vector<Vec3>& x, const Function& f) const {
   const int parts = static_cast<int>(rotations_.size());
   parallelFor((parts + LANES - 1) / LANES, threads_, [&](int group) {
     const int first = LANES * group;
@@ -115,9 +116,13 @@ void Assembly::rotate(const std::vector<Vec3>& x) {
       F[l] = gradientOf(p, x);
       R[l] = rotations_[p];
     }
-    polarRotations(F.data(), R.data());
-    for (int p = first; p < std::min(first + LANES, parts); ++p) rotations_[p] = R[p - first];
+    if (warping_) polarRotations(F.data(), R.data());
+    for (int p = first; p < std::min(first + LANES, parts); ++p) f(p, F[p - first], R[p - first]);
   });
+}
+
+void Assembly::rotate(const std::vector<Vec3>& x) {
+  if (warping_) turnAll(x, [&](int p, const Mat3&, const Mat3& R) { rotations_[p] = R; });
 }
 
 void Assembly::reset() {
@@ -186,6 +191,13 @@ double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
   const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
   return R * corotatedStress(R.transpose() * F, material_) * R.transpose();
+}
+
+void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
+  stress->resize(rotations_.size());
+  turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
+    (*stress)[p] = R * corotatedStress(R.transpose() * F, material_) * R.transpose();
+  });
 }
 
 double Assembly::volume(int part) const {

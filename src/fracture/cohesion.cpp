@@ -59,6 +59,12 @@ double insideness(const Facet& facet, const Polytope& polytope, const CutMesh& m
   return least;
 }
 
+/// The part on one side of a section that has its centroid, and how far inside its facet.
+struct Side {
+  int part = -1;
+  double inside = 0;  // [m]
+};
+
 const Facet* facetOf(const Polytope& polytope, int crack) {
   for (const Facet& facet : polytope.facets)
     if (facet.crack == crack) return &facet;
@@ -94,25 +100,25 @@ void Cohesion::add(const Insertion& done, const CutMesh& mesh, const std::vector
   }
 }
 
-/// A later crack may have split the part on either side: the section is held by the piece that has its centroid.
+/// A later crack may have split the part on either side: the section is held by those pieces that have its centroid.
 void Cohesion::topologyChanged(const CutMesh& mesh) {
-  for (Section& section : sections_) {
+  const auto torn = [&](Section& section) {
     const int element = mesh.parts()[section.plus].element;
     const Vec3 point = atRest(mesh, element, section.centroid);
-    double best_plus = -std::numeric_limits<double>::infinity(), best_minus = best_plus;
+    Side plus, minus;
     for (int p = element; p >= 0; p = mesh.parts()[p].next) {
       const Facet* facet = facetOf(mesh.polytope(p), section.crack);
       if (!facet) continue;
-      const Polytope& polytope = mesh.polytope(p);
-      const Vec3 out = areaOf(*facet, polytope, [&](const Barycentric& b) { return atRest(mesh, element, b); });
-      const double inside = insideness(*facet, polytope, mesh, element, point);
-      const bool plus_side = out.dot(section.across) < 0;
-      double& best = plus_side ? best_plus : best_minus;
-      if (!(inside > best)) continue;
-      best = inside;
-      (plus_side ? section.plus : section.minus) = p;
+      const Vec3 out = areaOf(*facet, mesh.polytope(p), [&](const Barycentric& b) { return atRest(mesh, element, b); });
+      const double inside = insideness(*facet, mesh.polytope(p), mesh, element, point);
+      Side& side = out.dot(section.across) < 0 ? plus : minus;
+      if (side.part < 0 || inside > side.inside) side = {p, inside};
     }
-  }
+    section.plus = plus.part;
+    section.minus = minus.part;
+    return plus.part < 0 || minus.part < 0;  // cut away by rounding
+  };
+  sections_.erase(std::remove_if(sections_.begin(), sections_.end(), torn), sections_.end());
 }
 
 // Below δ_0 = σ_t / κ the traction is κ δ; beyond, σ_t (δ_c − δ) / (δ_c − δ_0). The triangle's area is σ_t δ_c / 2 = G

@@ -229,18 +229,21 @@ INSTANTIATE_TEST_SUITE_P(
                       inFracture("crack_speed: 0", "crack_speed"), inFracture("crack_speed: [1]", "crack_speed"),
                       inFracture("fuse_distance: -1", "fuse_distance"),
                       inFracture("fuse_distance: .inf", "fuse_distance"), inFracture("fuse_angle: 1.6", "fuse_angle"),
+                      inFracture("tensile_strength: 1, fracture_energy: 0", "fracture_energy"),
+                      inFracture("compressive_strength: 1, fracture_energy: 1", "fracture_energy: needs"),
                       inFracture("toughness: 1", "toughness: unknown key")));
 
 TEST(Scene, FractureArrivesInItsSettings) {
   const Scene scene = parse(BODY +
                             "fracture: {tensile_strength: 1e5, compressive_strength: '.inf', crack_speed: 20, "
-                            "fuse_distance: 0.01, fuse_angle: 0.5}");
+                            "fuse_distance: 0.01, fuse_angle: 0.5, fracture_energy: 30}");
   ASSERT_TRUE(scene.fracture);
   EXPECT_EQ(scene.fracture->tensile_strength, 1e5);
   EXPECT_TRUE(std::isinf(scene.fracture->compressive_strength));
   EXPECT_EQ(scene.fracture->crack_speed, 20);
   EXPECT_EQ(scene.fracture->fuse_distance, 0.01);
   EXPECT_EQ(scene.fracture->fuse_angle, 0.5);
+  EXPECT_EQ(scene.fracture->fracture_energy, 30);
   EXPECT_FALSE(parse(BODY).fracture);
 }
 

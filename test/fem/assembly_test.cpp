@@ -128,5 +128,18 @@ TEST(Stress, TurnsWithThePart) {
     EXPECT_LT((jumble.assembly.stress(static_cast<int>(p), jumble.rig.motion.x) - answer).norm(), 1e-9 * 1e5);
 }
 
+TEST(Stress, OfAllPartsIsThatOfEach) {
+  for (const bool warping : {true, false}) {
+    const Jumble jumble(Mass::LUMPED, warping, 0.05);
+    std::vector<Mat3> all;
+    jumble.assembly.stresses(jumble.rig.motion.x, &all);
+    ASSERT_EQ(all.size(), jumble.rig.mesh.parts().size());
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const Mat3 one = jumble.assembly.stress(static_cast<int>(p), jumble.rig.motion.x);
+      EXPECT_LT((all[p] - one).norm(), 1e-9 * one.norm());  // rotations are found in another way
+    }
+  }
+}
+
 }  // namespace
 }  // namespace incision

@@ -41,6 +41,8 @@ class Assembly {
 
   /// Cauchy stress R_p σ R_pᵀ [Pa], with the rotation that belongs to `x`.
   Mat3 stress(int part, const std::vector<Vec3>& x) const;
+  /// The same of every part.
+  void stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const;
 
   const CutMesh& mesh() const { return mesh_; }
   const Material& material() const { return material_; }
@@ -66,6 +68,8 @@ class Assembly {
  private:
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
+  template <typename Function>
+  void turnAll(const std::vector<Vec3>& x, const Function& f) const;
   template <typename Function>
   void gather(const Function& atCorner, std::vector<Vec3>* result) const;
   void findCorners(const std::vector<char>& touched);
