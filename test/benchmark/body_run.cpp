@@ -19,7 +19,11 @@ std::vector<StepResult> take(DeformableBody* body, int steps) {
 }
 
 Json phases(const PhaseTimes& times) {
-  return {{"cut", times.cut}, {"assembly", times.assembly}, {"solve", times.solve}, {"update", times.update}};
+  return {{"cut", times.cut},
+          {"contact", times.contact},
+          {"assembly", times.assembly},
+          {"solve", times.solve},
+          {"update", times.update}};
 }
 
 bool cuts(const StepResult& step) { return !step.cuts.empty(); }

@@ -27,6 +27,8 @@ bool cuts(const Options& options, Json* rows);
 bool plate(const Options& options, Json* rows);
 /// The demo's organ in real time.
 bool organ(const Options& options, Json* rows);
+/// What contact adds to a step: eight pieces at rest on each other.
+bool contact(const Options& options, Json* rows);
 /// A million tetrahedra.
 bool large(const Options& options, Json* rows);
 

@@ -63,4 +63,24 @@ Scene cutOrgan() {
   return scene;
 }
 
+Scene wall(const Cells& cells, bool in_pieces) {
+  Scene scene = bar(cells);
+  scene.body.grid->size = Vec3(1, 0.5, 1);
+  scene.body.material.stiffness_damping = 1e-3;
+  scene.boundary.clear();
+  scene.contact = ContactSettings();
+  scene.contact->ground = 0;
+  if (!in_pieces) return scene;
+  for (const auto& [point, normal] : {std::pair{Vec3(0.5, 0.25, 0.26), Vec3(0.02, 0, 1)},
+                                      {Vec3(0.5, 0.25, 0.51), Vec3(0, 0.02, 1)},
+                                      {Vec3(0.5, 0.25, 0.76), Vec3(0, 0, 1)},
+                                      {Vec3(0.51, 0.25, 0.5), Vec3(1, 0, 0)}}) {
+    ScheduledCut cut;
+    cut.plane.point = point;
+    cut.plane.normal = normal;
+    scene.cuts.push_back(cut);
+  }
+  return scene;
+}
+
 }  // namespace incision::bench

@@ -27,4 +27,9 @@ Scene cutPlate();
 /// The organ of the demo at Δt = 5 ms, damped as there, cut three times: half through, off, and half through.
 Scene cutOrgan();
 
+/// A wall of cells, three to four times as long and high as thick, that stands on the ground under its weight, in one
+/// piece or, after cuts at 0 s, in eight that rest on each other. Settings are the bar's, damped so that it comes to
+/// rest.
+Scene wall(const Cells& cells, bool in_pieces);
+
 }  // namespace incision::bench

@@ -16,7 +16,7 @@ Times whole steps of several scenes and prints tables; times are in milliseconds
 
   --quick        fewer steps, and at 98,304 elements only our own iterative solver
   --large        also a million elements
-  --only SCENE   only these: tips, grids, threads, linear, cuts, plate, organ or large
+  --only SCENE   only these: tips, grids, threads, linear, cuts, contact, plate, organ or large
   --json FILE    also writes all rows, for plot_steps.py
   --help         this text
 
@@ -33,6 +33,7 @@ constexpr std::array<Group, 8> GROUPS = {{{"tips", tips},
                                           {"threads", threads},
                                           {"linear", linear},
                                           {"cuts", cuts},
+                                          {"contact", contact},
                                           {"plate", plate},
                                           {"organ", organ},
                                           {"large", large}}};
