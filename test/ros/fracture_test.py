@@ -15,7 +15,8 @@ class Fracture(unittest.TestCase):
     def test_others_hear_of_every_crack(self):
         client, events = Client(), []
         client.pause()
-        rospy.Subscriber('/incision/crack_event', CrackEvent, events.append, queue_size=1000)
+        subscriber = rospy.Subscriber('/incision/crack_event', CrackEvent, events.append, queue_size=1000)
+        client.wait_for(subscriber.get_num_connections, 'the crack events')
         client.reset()
         client.pause(False)
         client.wait_for(lambda: client.state.pieces > 1, 'the bar to break', 2 * TIMEOUT)
