@@ -34,26 +34,29 @@ bool CrackGrowth::hasGrown(const Fringe& fringe, const CutMesh& mesh) const {
 }
 
 std::vector<CrackResult> CrackGrowth::fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x) {
+  const auto grown = [&](const Fringe& fringe) { return hasGrown(fringe, mesh); };
+  if (!fuses() || settings_.fuse_angle <= 0 || cracks_.size() < 2) return {};
+  if (std::none_of(fringes_.begin(), fringes_.end(), grown)) return {};
+  std::vector<Front> fronts;
+  for (const Fringe& fringe : fringes_) fronts.push_back(frontOf(fringe, *cracks_.at(fringe.crack), mesh, x));
+
   std::vector<CrackResult> events;
-  if (!fuses() || settings_.fuse_angle <= 0) return events;
   for (std::size_t i = 0; i < fringes_.size(); ++i) {
-    if (!hasGrown(fringes_[i], mesh)) continue;
-    for (const Fringe& other : fringes_) {
-      const int crack = fringes_[i].crack;
-      if (cracks_.at(other.crack) == cracks_.at(crack)) continue;
-      const Front a = frontOf(fringes_[i], *cracks_.at(crack), mesh, x);
-      const Front b = frontOf(other, *cracks_.at(other.crack), mesh, x);
-      const double cosine = a.behind.normalized().dot(b.behind.normalized());
-      if ((middleOf(a) - middleOf(b)).norm() > settings_.fuse_distance) continue;
-      if (std::abs(cosine) < std::cos(settings_.fuse_angle)) continue;
-      if (haveMet(*cracks_.at(crack), *cracks_.at(other.crack))) continue;  // they run into each other instead
+    if (!grown(fringes_[i])) continue;
+    for (std::size_t j = 0; j < fringes_.size(); ++j) {
+      const int crack = fringes_[i].crack, other = fringes_[j].crack;
+      if (cracks_.at(crack) == cracks_.at(other)) continue;
+      const Vec3 a = middleOf(fronts[i]), b = middleOf(fronts[j]), n = fronts[i].behind.normalized();
+      const double cosine = n.dot(fronts[j].behind.normalized());
+      if ((a - b).norm() > settings_.fuse_distance || std::abs(cosine) < std::cos(settings_.fuse_angle)) continue;
+      if (haveMet(*cracks_.at(crack), *cracks_.at(other))) continue;  // they run into each other instead
       CrackResult event;
       event.time = time;
       event.change = CrackChange::FUSED;
-      event.crack = std::min(crack, other.crack);
-      event.other = std::max(crack, other.crack);
-      event.where = (middleOf(a) + middleOf(b)) / 2;
-      event.normal = a.behind.normalized();
+      event.crack = std::min(crack, other);
+      event.other = std::max(crack, other);
+      event.where = (a + b) / 2;
+      event.normal = n;
       events.push_back(event);
       join(event.crack, event.other, cosine < 0 ? -1 : 1);
     }

@@ -35,6 +35,12 @@ NewSurface newSurface(int crack, const std::vector<int>& parts, const CutMesh& m
   return surface;
 }
 
+std::vector<int> elementsOf(const std::vector<int>& parts, const CutMesh& mesh) {
+  std::set<int> elements;
+  for (int p : parts) elements.insert(mesh.parts()[p].element);
+  return {elements.begin(), elements.end()};
+}
+
 }  // namespace
 
 void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<int>& touched) {
@@ -101,7 +107,7 @@ CrackResult CrackGrowth::inserted(double time, const CrackAdvance& advance, cons
   event.crack = done.crack;
   event.kind = advance.loading.kind;
   event.stress = advance.loading.stress;
-  for (int p : done.parts) event.elements.push_back(mesh.parts()[p].element);
+  event.elements = elementsOf(done.parts, mesh);
   const NewSurface surface = newSurface(done.crack, done.parts, mesh, x);
   event.where = surface.centroid;
   if (surface.area.norm() > 0) event.normal = surface.area.normalized();

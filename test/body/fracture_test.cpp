@@ -184,5 +184,42 @@ TEST(Fracture, ACrackRunsNoFasterThanItMay) {
   EXPECT_GT(reach[1], 1.5 * SPEED);  // or the bound would not show
 }
 
+TEST(Fracture, AColumnSplitsAlongThePush) {
+  Scene scene = quasiStatic(1e6, 0.2, 0.02);
+  scene.body.grid = GridSettings{{5, 5, 10}, Vec3(0.5, 0.5, 1), Vec3::Zero()};
+  scene.boundary = {{slab(2, 0), Vec3::Zero()}, {slab(2, 1), Vec3(0, 0, -0.02)}};
+  scene.fracture.emplace();
+  scene.fracture->compressive_strength = 2e4;
+  DeformableBody body(scene, loadMesh(scene));
+  const Breaking run = breakInto(&body, 2, 60);
+  ASSERT_GT(run.events.size(), 3u);
+  for (const CrackResult& event : run.events) {
+    EXPECT_EQ(event.kind, FailureKind::COMPRESSION);
+    EXPECT_LT(event.stress, 0);
+    EXPECT_LT(std::abs(event.normal[2]), 0.4) << event.normal.transpose();  // the clamps turn the push a little
+  }
+  EXPECT_LE(run.events[0].stress, -2e4);
+}
+
+TEST(Fracture, ResultsWithFusingAndAFractureEnergyDoNotDependOnTheThreads) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 3}) {
+    Scene scene = pulledPlate();
+    scene.body.grid->cells = {12, 12, 1};
+    scene.solver.threads = threads;
+    scene.fracture->fuse_distance = 0.3;
+    scene.fracture->fuse_angle = 0.5;
+    scene.fracture->fracture_energy = 20;
+    scene.cuts = {notch(-1, -0.4, -0.09), notch(1, 0.4, 0.12)};
+    DeformableBody body(scene, loadMesh(scene));
+    EXPECT_FALSE(breakInto(&body, 2, 150).events.empty());
+    hashes.push_back(body.stateHash());
+    body.reset();
+    breakInto(&body, 2, 150);
+    EXPECT_EQ(body.stateHash(), hashes.back());
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
 }  // namespace
 }  // namespace incision::test

@@ -30,12 +30,12 @@ struct CrackResult {
   double time = 0;  ///< at which the step starts [s]
   int crack = -1;
   CrackChange change = CrackChange::STARTED;
-  int other = -1;               ///< the crack with which it fused
+  int other = -1;               ///< the crack with which it fused, or −1
   std::vector<int> elements;    ///< that it went through, ascending
-  Vec3 where = Vec3::Zero();    ///< centroid of the new crack surface in the deformed body [m]
+  Vec3 where = Vec3::Zero();    ///< centroid of the new surface, or midway between fused fringes, deformed body [m]
   Vec3 normal = Vec3::UnitX();  ///< mean normal of that surface
   FailureKind kind = FailureKind::TENSION;
-  double stress = 0;  ///< the principal stress [Pa] that decided
+  double stress = 0;  ///< the principal stress [Pa] that decided; 0 where none did
 };
 
 /// The cracks that a body grows by itself: where they are, and where the stress drives them. It changes nothing: it
