@@ -13,10 +13,6 @@ namespace {
 /// the error of the stress in one element.
 constexpr double CLEARANCE = 1e-2;
 
-/// No crack starts in a part that is a smaller share of its element: it would shatter fragments smaller than an
-/// element, of which the mesh knows no stress, without end.
-constexpr double LEAST_SHARE = 0.1;
-
 double clearOf(int node, double phi, const CutMesh& mesh) {
   return std::copysign(std::max(std::abs(phi), CLEARANCE * mesh.shortestEdge(node)), phi);
 }
@@ -30,6 +26,11 @@ Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x) 
 bool shareCopy(const Part& a, const Part& b) {
   return std::find_first_of(a.copies.begin(), a.copies.end(), b.copies.begin(), b.copies.end()) != a.copies.end();
 }
+
+/// No crack starts in a crack element. Its parts strain as the whole element does, so beside a crack's free face the
+/// stress is noise: it would slice the element again and again, into slivers, and shatter the smallest fragments
+/// without end.
+bool isSplit(const CutMesh& mesh, int part) { return mesh.parts()[mesh.parts()[part].element].next >= 0; }
 
 /// The mean of what several fringes want of one copy.
 struct Wanted {
@@ -63,8 +64,7 @@ std::vector<CrackGrowth::PieceLoad> CrackGrowth::mostLoaded(const CutMesh& mesh,
     if (!(loading_[p].share > 1)) continue;
     PieceLoad& load = pieces[piece[mesh.parts()[p].copies[0]]];
     if (worse(p, load.worst)) load.worst = p;
-    if (mesh.parts()[p].fraction >= LEAST_SHARE && !isBeside(mesh, p) && barred_.count(p) == 0 && worse(p, load.start))
-      load.start = p;
+    if (!isSplit(mesh, p) && !isBeside(mesh, p) && barred_.count(p) == 0 && worse(p, load.start)) load.start = p;
   }
   return pieces;
 }

@@ -9,6 +9,9 @@ namespace {
 /// Relative residual that a backward stable factorisation leaves, and below which its rounding is not worth reporting.
 constexpr double ATTAINABLE = 1e-12;
 
+/// Factorisations after which blocks that couplings have left are dropped: contacts that only bounce are back by then.
+constexpr int PATIENCE = 50;
+
 /// Calls f(row, column, w_row w_column, K) for the blocks row ≤ column of every coupling.
 template <typename Function>
 void forEachBlock(const std::vector<Coupling>& couplings, const std::vector<int>& row_of, const Function& f) {
@@ -36,6 +39,7 @@ void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& c
   ones_.assign(free_copies.size(), 1);
   norms_.systemChanged(assembly, free_copies, change.piece, scale);
   extra_.clear();
+  idle_ = 0;
   analyse();
 }
 
@@ -99,13 +103,27 @@ int DirectSolver::blockAt(int row, int column) const {
   return pattern_.row_start.back() + static_cast<int>(extra - extra_.begin());
 }
 
-/// Makes room for the couplings' blocks. They stay, as contacts come and go: each new one costs an analysis.
+/// Makes room for the couplings' blocks. They stay, as contacts come and go and each new one costs an analysis; but
+/// what slides leaves a trail of them behind, which would fill the factor.
 void DirectSolver::findBlocks(const std::vector<Coupling>& couplings) {
+  const int blocks = pattern_.row_start.back();
   std::vector<std::pair<int, int>> missing;
+  used_.assign(extra_.size(), 0);
   forEachBlock(couplings, pattern_.row_of, [&](int row, int column, double, const Mat3&) {
-    if (blockAt(row, column) < 0) missing.emplace_back(row, column);
+    const int block = blockAt(row, column);
+    if (block < 0) missing.emplace_back(row, column);
+    if (block >= blocks) used_[block - blocks] = 1;
   });
-  if (missing.empty()) return;
+  const auto in_use = static_cast<std::size_t>(std::count(used_.begin(), used_.end(), 1));
+  idle_ = extra_.size() > 2 * in_use ? idle_ + 1 : 0;
+  if (missing.empty() && idle_ < PATIENCE) return;
+  if (idle_ > 0) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < extra_.size(); ++k)
+      if (used_[k]) extra_[kept++] = extra_[k];
+    extra_.resize(kept);
+    idle_ = 0;
+  }
   extra_.insert(extra_.end(), missing.begin(), missing.end());
   std::sort(extra_.begin(), extra_.end());
   extra_.erase(std::unique(extra_.begin(), extra_.end()), extra_.end());

@@ -104,6 +104,20 @@ TEST(CrackGrowth, WhereACrackGrowsNoOtherStarts) {
   EXPECT_LE(results[0].elements.size(), 4u);  // across the faces of the first
 }
 
+TEST(CrackGrowth, NoneStartsInACrackElement) {
+  StretchedBar bar(1.001 * STRETCH);
+  for (int piece = 0; piece < 2; ++piece) {
+    bar.cut(plane(Vec3(0, 0, 0.06 + 0.13 * piece), Vec3::UnitZ()));  // along the pull, through the lower cells
+    CrackGrowth growth(strength(STRENGTH));
+    growth.topologyChanged(bar.step.assembly(), {});
+    for (const CrackAdvance& advance : bar.advances(&growth)) {
+      ASSERT_EQ(advance.parts.size(), 1u);
+      const int element = bar.mesh.parts()[advance.parts[0]].element;
+      EXPECT_LT(bar.mesh.parts()[element].next, 0) << piece << " " << element;
+    }
+  }
+}
+
 TEST(CrackGrowth, PartsBesideAChangeWaitForTheNextStep) {
   StretchedBar bar(1.5 * STRETCH);
   CrackGrowth growth(strength(STRENGTH));

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "incision/solver/direct_solver.h"
 #include "support/rig.h"
 
 namespace incision {
@@ -96,6 +97,27 @@ TEST(Coupling, ThatIsGoneLeavesNothingBehind) {
     }
     EXPECT_LT(largestDifference(held.motion.v, free.motion.v), 1e-7 * largest(free.motion.v));
   }
+}
+
+// As from one surface sliding on another: what they have left must not fill the factor for good.
+TEST(Coupling, ThatMovesOnLeavesNoTrailInTheFactor) {
+  const ThrownPieces rig(Method::DIRECT);
+  const std::vector<int> none(rig.mesh.numCopies(), 0);
+  DirectSolver solver;
+  solver.systemChanged(rig.step.assembly(), {std::vector<bool>(none.size(), false), none, none, {}}, {1, 1e-4});
+  solver.matrixChanged(rig.motion.x);
+  const auto springs = randomSprings(rig, 1e4);
+  ASSERT_TRUE(solver.couplingsChanged({springs[0]}, 0.01));
+  const int of_one = solver.extraBlocks();
+  ASSERT_GT(of_one, 10);
+  for (const Coupling& spring : springs) {
+    ASSERT_TRUE(solver.couplingsChanged({spring}, 0.01));
+    EXPECT_LE(solver.extraBlocks(), 3 * of_one);
+  }
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(solver.couplingsChanged({}, 0.01));
+  EXPECT_GT(solver.extraBlocks(), 0);  // what bounces comes back
+  for (int k = 0; k < 40; ++k) ASSERT_TRUE(solver.couplingsChanged({}, 0.01));
+  EXPECT_EQ(solver.extraBlocks(), 0);
 }
 
 // As the couplings ask for it, until they are content.

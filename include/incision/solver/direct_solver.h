@@ -17,6 +17,9 @@ class DirectSolver : public LinearSolver {
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 
+  /// Blocks that are factorised for couplings alone.
+  int extraBlocks() const { return static_cast<int>(extra_.size()); }
+
  private:
   void analyse();
   bool factorise(const std::vector<double>& blocks);
@@ -26,8 +29,10 @@ class DirectSolver : public LinearSolver {
   const Assembly* assembly_ = nullptr;
   SystemFactors factors_{};
   BlockPattern pattern_;
-  // Blocks beside the pattern's, row ≤ column, ascending: where couplings have been since the topology changed.
+  // Blocks beside the pattern's, row ≤ column, ascending: where couplings have been of late.
   std::vector<std::pair<int, int>> extra_;
+  std::vector<char> used_;  // of each: by the couplings now
+  int idle_ = 0;            // factorisations in a row in which less than half of them were used
   PieceNorms norms_;
   std::vector<double> ones_;  // of each row
   std::vector<int> source_;   // of each entry of the lower triangle, in blocks_
