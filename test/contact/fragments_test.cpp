@@ -128,12 +128,16 @@ TEST(FragmentFinder, FindsWhatTryingEverythingFinds) {
     const std::vector<Candidate> found = rig.find();
     const auto expected = bruteForce(rig);
     EXPECT_GT(expected.size(), 20u);
-    // Far from rest no two vertices meet, so there are no twins.
-    ASSERT_EQ(found.size(), expected.size()) << seed;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_EQ(found[i].sample, expected[i].first);
-      EXPECT_NEAR(found[i].gap, expected[i].second, 1e-12);
+    std::size_t twins = 0;  // of which one stands for both
+    auto at = expected.begin();
+    for (const Candidate& candidate : found) {
+      const auto& sample = rig.contact.samples[candidate.sample];
+      twins += candidate.stiffness > 0.75 * sample.area / candidate.size;
+      while (at != expected.end() && at->first < candidate.sample) ++at;
+      ASSERT_TRUE(at != expected.end() && at->first == candidate.sample) << seed;
+      EXPECT_NEAR(candidate.gap, at->second, 1e-12);
     }
+    EXPECT_EQ(found.size() + twins, expected.size()) << seed;
   }
 }
 
