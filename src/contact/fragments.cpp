@@ -50,6 +50,16 @@ Vec3 normalised(const Vec3& a) {
   return length > 0 ? Vec3(a / length) : Vec3::Zero();
 }
 
+/// A point and its foot that share all weights but this much move as one: so near the end of a slit, or where the
+/// surface meets itself at an edge, the material holds them together.
+constexpr double ONE_POINT = 0.05;
+
+bool isOnePoint(const Coupling& held) {
+  double sum = 0;
+  for (int i = 0; i < held.count; ++i) sum += std::abs(held.weights[i]);
+  return sum < ONE_POINT;
+}
+
 }  // namespace
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
@@ -150,9 +160,7 @@ Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& p
   made.side.setZero();
   made.size = surface.size[sample.vertex];
   made.stiffness = share * stiffness * sample.area / made.size;
-  addVertex(surface.surface->vertices[sample.vertex], 1, &made.held);
-  for (int k = 0; k < 3; ++k)
-    addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k], &made.held);
+  made.held = heldBy(surface, pair);
   return made;
 }
 
@@ -241,7 +249,17 @@ bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3
   if (surface.piece[triangle] != surface.vertex_piece[vertex]) return true;
   const auto& X = surface.rest;
   const Vec3 N = normalised((X[b] - X[a]).cross(X[c] - X[a])), from = X[vertex] - X[a];
-  return !(N.dot(from) < -SAME_PLANE * size && from.norm() < NEAR_AT_REST * size);
+  const bool behind = N.dot(from) < -SAME_PLANE * size && from.norm() < NEAR_AT_REST * size;
+  return !behind && !isOnePoint(heldBy(surface, *pair));
+}
+
+/// What a contact holds: the sample's point less its foot.
+Coupling FragmentFinder::heldBy(const ContactSurface& surface, const Pair& pair) {
+  Coupling held;
+  addVertex(surface.surface->vertices[surface.samples[pair.sample].vertex], 1, &held);
+  for (int k = 0; k < 3; ++k)
+    addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k], &held);
+  return held;
 }
 
 }  // namespace incision
