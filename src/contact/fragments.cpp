@@ -45,6 +45,12 @@ Vec3 footOf(const Vec3& p, const Vec3& p0, const Vec3& p1, const Vec3& p2, const
   return {1 - w1 - w2, w1, w2};
 }
 
+Vec3 meanOf(const std::vector<Vec3>& values) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& value : values) sum += value;
+  return sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
+}
+
 Vec3 normalised(const Vec3& a) {
   const double length = a.norm();
   return length > 0 ? Vec3(a / length) : Vec3::Zero();
@@ -83,31 +89,27 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
 /// beyond its reach. What all vertices have moved alike does not count.
 bool FragmentFinder::isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step) const {
   if (searched_x_.size() != x.size()) return false;
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < x.size(); ++i) mean += (x[i] - searched_x_[i]) / static_cast<double>(x.size());
-  const double ahead = time_step * fastest(v);
-  double farthest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    farthest = std::max(farthest, (x[i] - searched_x_[i] - mean).squaredNorm());
-  return std::sqrt(farthest) + ahead < skin_;
-}
-
-/// The largest speed beside the mean [m/s].
-double FragmentFinder::fastest(const std::vector<Vec3>& v) const {
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& velocity : v) mean += velocity / static_cast<double>(v.size());
-  double square = 0;
-  for (const Vec3& velocity : v) square = std::max(square, (velocity - mean).squaredNorm());
-  return std::sqrt(square);
+  const Vec3 shift = meanOf(x) - meanOf(searched_x_), velocity = meanOf(v);
+  double farthest = 0, fastest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    farthest = std::max(farthest, (x[i] - searched_x_[i] - shift).squaredNorm());
+    fastest = std::max(fastest, (v[i] - velocity).squaredNorm());
+  }
+  return std::sqrt(farthest) + time_step * std::sqrt(fastest) < skin_;
 }
 
 void FragmentFinder::search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
                             double time_step, int threads) {
   searched_x_ = x;
-  skin_ = SKIN * surface.mean_size + time_step * fastest(v);
-  const double depth = MAX_DEPTH * surface.mean_size;
-  reach_ = std::min(depth + 2 * skin_, depth + surface.mean_size);
-  fillGrid(surface, x, surface.mean_size);
+  skin_ = SKIN * surface.mean_size;
+  reach_ = MAX_DEPTH * surface.mean_size;
+  const Vec3 velocity = meanOf(v);
+  paths_.resize(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    paths_[i] = time_step * (v[i] - velocity);
+    paths_[i] *= std::min(1.0, surface.mean_size / std::max(surface.mean_size, paths_[i].norm()));
+  }
+  fillGrid(surface, x);
   const int triangles = static_cast<int>(surface.surface->triangles.size());
   found_.resize((triangles + CHUNK - 1) / CHUNK);
   parallelFor(static_cast<int>(found_.size()), threads, [&](int chunk) {
@@ -188,24 +190,43 @@ FragmentFinder::Cell FragmentFinder::cellOf(const Vec3& point) const {
 }
 
 /// Mixes the three numbers by odd constants of many bits.
-int FragmentFinder::slotOf(const Cell& cell) const {
+std::size_t FragmentFinder::slotOf(const Cell& cell) const {
   const Eigen::Array<std::uint64_t, 3, 1> u = cell.cast<std::uint64_t>();
   const std::uint64_t h = (u[0] * 0x9E3779B97F4A7C15) ^ (u[1] * 0xC2B2AE3D27D4EB4F) ^ (u[2] * 0x165667B19E3779F9);
-  return static_cast<int>((h ^ (h >> 29)) % (slot_start_.size() - 1));
+  return static_cast<std::size_t>(h ^ (h >> 29)) & (slot_start_.size() - 2);
+}
+
+/// Calls f(slot) for the cells that a box meets, or returns false where those are too many to be worth it.
+template <typename Function>
+bool FragmentFinder::forEachSlot(const Eigen::AlignedBox3d& box, const Function& f) const {
+  const Cell first = cellOf(box.min()), last = cellOf(box.max());
+  if ((last - first + 1).cast<double>().prod() > static_cast<double>(slot_start_.size())) return false;
+  for (Cell cell = first; cell[0] <= last[0]; ++cell[0])
+    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
+      for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) f(slotOf(cell));
+  return true;
+}
+
+/// What a vertex passes in the step, beside what all do.
+Eigen::AlignedBox3d FragmentFinder::pathOf(const std::vector<Vec3>& x, int vertex) const {
+  const Vec3 end = x[vertex] + paths_[vertex];
+  return {x[vertex].cwiseMin(end), x[vertex].cwiseMax(end)};
 }
 
 /// A hashed grid: cells that share a slot only cost time. A counting sort keeps it linear.
-void FragmentFinder::fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x, double cell) {
-  cell_ = cell;
-  slot_start_.assign(2 * surface.samples.size() + 2, 0);
-  slot_of_.resize(surface.samples.size());
-  for (std::size_t s = 0; s < slot_of_.size(); ++s) {
-    slot_of_[s] = slotOf(cellOf(x[surface.samples[s].vertex]));
-    ++slot_start_[slot_of_[s] + 1];
-  }
+void FragmentFinder::fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x) {
+  cell_ = surface.mean_size;
+  std::size_t slots = 1;
+  while (slots < 2 * surface.samples.size()) slots *= 2;
+  slot_start_.assign(slots + 1, 0);
+  const auto forEachEntry = [&](const auto& f) {
+    for (std::size_t s = 0; s < surface.samples.size(); ++s)
+      forEachSlot(pathOf(x, surface.samples[s].vertex), [&](std::size_t slot) { f(slot, static_cast<int>(s)); });
+  };
+  forEachEntry([&](std::size_t slot, int) { ++slot_start_[slot + 1]; });
   std::partial_sum(slot_start_.begin(), slot_start_.end(), slot_start_.begin());
-  slot_samples_.resize(slot_of_.size());
-  for (std::size_t s = 0; s < slot_of_.size(); ++s) slot_samples_[slot_start_[slot_of_[s]]++] = static_cast<int>(s);
+  slot_samples_.resize(slot_start_.back());
+  forEachEntry([&](std::size_t slot, int sample) { slot_samples_[slot_start_[slot]++] = sample; });
   // Each start has moved on to the next slot's.
   std::copy_backward(slot_start_.begin(), slot_start_.end() - 1, slot_start_.end());
   slot_start_[0] = 0;
@@ -215,37 +236,34 @@ void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vect
                                   std::vector<Pair>* pairs) const {
   if (normals_[triangle].isZero(0)) return;
   Eigen::AlignedBox3d box;
-  for (int vertex : surface.surface->triangles[triangle]) box.extend(x[vertex]);
+  for (int vertex : surface.surface->triangles[triangle]) box.extend(pathOf(x, vertex));
   const Eigen::AlignedBox3d room(box.min().array() - reach_, box.max().array() + reach_);
   const auto consider = [&](int sample) {
     Pair pair;
-    if (room.contains(x[surface.samples[sample].vertex]) && meets(surface, x, triangle, sample, &pair))
+    if (room.intersects(pathOf(x, surface.samples[sample].vertex)) && meets(surface, x, triangle, sample, &pair))
       pairs->push_back(pair);
   };
-  const Cell first = cellOf(room.min()), last = cellOf(room.max());
-  if ((last - first + 1).cast<double>().prod() > static_cast<double>(surface.samples.size())) {
-    // A triangle stretched out of all proportion.
-    for (std::size_t s = 0; s < surface.samples.size(); ++s) consider(static_cast<int>(s));
-    return;
-  }
-  for (Cell cell = first; cell[0] <= last[0]; ++cell[0])
-    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
-      for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) {
-        const int slot = slotOf(cell);
-        for (int at = slot_start_[slot]; at < slot_start_[slot + 1]; ++at) consider(slot_samples_[at]);
-      }
+  const bool done = forEachSlot(room, [&](std::size_t slot) {
+    for (int at = slot_start_[slot]; at < slot_start_[slot + 1]; ++at) consider(slot_samples_[at]);
+  });
+  // A triangle stretched out of all proportion.
+  for (std::size_t s = 0; !done && s < surface.samples.size(); ++s) consider(static_cast<int>(s));
 }
 
-/// Whether a sample lies before or just behind a triangle that faces it, with nothing of its own in between.
+/// Whether a sample lies before or just behind a triangle that faces it, near enough to meet it in the step, with
+/// nothing of its own in between.
 bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample,
                            Pair* pair) const {
-  if (!(normals_[triangle].dot(sample_normals_[sample]) < MAX_COSINE)) return false;
+  const Vec3& n = normals_[triangle];
+  if (!(n.dot(sample_normals_[sample]) < MAX_COSINE)) return false;
   const int vertex = surface.samples[sample].vertex;
   const auto& [a, b, c] = surface.surface->triangles[triangle];
   if (vertex == a || vertex == b || vertex == c) return false;
-  const double size = surface.size[vertex];
-  *pair = placed(surface, x, {sample, triangle, 0, Vec3::Zero()});
-  if (!(pair->gap > -MAX_DEPTH * size && pair->gap < reach_ && pair->weights.minCoeff() > -RIM)) return false;
+  const double size = surface.size[vertex], gap = n.dot(x[vertex] - x[a]);
+  const double ahead = std::max({n.dot(paths_[a]), n.dot(paths_[b]), n.dot(paths_[c])}) - n.dot(paths_[vertex]);
+  if (!(gap > -MAX_DEPTH * size && gap < (MARGIN + 2 * SKIN) * size + std::max(0.0, ahead))) return false;
+  *pair = placed(surface, x, {sample, triangle, gap, Vec3::Zero()});
+  if (!(pair->weights.minCoeff() > -RIM)) return false;
   if (surface.piece[triangle] != surface.vertex_piece[vertex]) return true;
   const auto& X = surface.rest;
   const Vec3 N = normalised((X[b] - X[a]).cross(X[c] - X[a])), from = X[vertex] - X[a];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -35,10 +36,12 @@ class FragmentFinder {
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   bool isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step) const;
-  double fastest(const std::vector<Vec3>& v) const;
   void search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step,
               int threads);
-  void fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x, double cell);
+  void fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x);
+  template <typename Function>
+  bool forEachSlot(const Eigen::AlignedBox3d& box, const Function& f) const;
+  Eigen::AlignedBox3d pathOf(const std::vector<Vec3>& x, int vertex) const;
   void pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle,
                     std::vector<Pair>* pairs) const;
   bool meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample, Pair* pair) const;
@@ -47,14 +50,15 @@ class FragmentFinder {
   int twinOf(const ContactSurface& surface, const Pair& pair) const;
   Candidate candidate(const ContactSurface& surface, const Pair& pair, double share, double stiffness) const;
   Cell cellOf(const Vec3& point) const;
-  int slotOf(const Cell& cell) const;
+  std::size_t slotOf(const Cell& cell) const;
 
   double cell_ = 0, reach_ = 0, skin_ = 0;
   std::vector<Vec3> searched_x_;      // where the vertices were at the last search
+  std::vector<Vec3> paths_;           // what each moves in a step, beside the mean [m]
   std::vector<Vec3> normals_;         // of each triangle, unit or zero
   std::vector<Vec3> sample_normals_;  // the same
   // Samples by the slot of the grid's cell they lie in: slot_samples_[slot_start_[s]] …
-  std::vector<int> slot_start_, slot_samples_, slot_of_;
+  std::vector<int> slot_start_, slot_samples_;
   std::vector<std::vector<Pair>> found_;  // by chunk of triangles
   std::vector<Pair> best_;                // of each sample; triangle −1: none
 };
