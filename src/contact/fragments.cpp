@@ -66,6 +66,15 @@ bool isOnePoint(const Coupling& held) {
   return sum < ONE_POINT;
 }
 
+/// Whether it has no area at rest: such triangles close the surface between parts that neither hang together nor are
+/// severed. Their corners may belong to several parts, to more copies than a coupling can hold.
+bool closesGap(const ContactSurface& surface, int triangle) {
+  const auto& [a, b, c] = surface.surface->triangles[triangle];
+  const auto& X = surface.rest;
+  const double size = surface.size[a];
+  return !((X[b] - X[a]).cross(X[c] - X[a]).norm() > MIN_OVERLAP * size * size);
+}
+
 }  // namespace
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
@@ -234,7 +243,7 @@ void FragmentFinder::fillGrid(const ContactSurface& surface, const std::vector<V
 
 void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle,
                                   std::vector<Pair>* pairs) const {
-  if (normals_[triangle].isZero(0)) return;
+  if (normals_[triangle].isZero(0) || closesGap(surface, triangle)) return;
   Eigen::AlignedBox3d box;
   for (int vertex : surface.surface->triangles[triangle]) box.extend(pathOf(x, vertex));
   const Eigen::AlignedBox3d room(box.min().array() - reach_, box.max().array() + reach_);

@@ -21,6 +21,10 @@ constexpr int FALLBACK_STEPS = 20;
 /// Solves in a step at most. Contacts that close and part mostly settle after one or two.
 constexpr int MAX_SOLVES = 8;
 
+/// A search along a step ends where less than this share of the drive at its start is left, or after so many trials.
+constexpr double SEARCH_TOLERANCE = 0.1;
+constexpr int MAX_SEARCH = 12;
+
 bool allFinite(const std::vector<Vec3>& values) {
   return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
 }
@@ -105,15 +109,46 @@ bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, const Co
     if (!matrix_known_) return false;
     if (k > 0) {
       again_basis_ = basis_;
-      again_basis_[0] = dv_;
+      again_basis_[0] = dv_before_ = dv_;
     }
     stats_ = solve(time_step, motion, k > 0 ? again_basis_ : basis_);
     iterations += stats_.iterations;
     stats_.iterations = iterations;
     if (!stats_.converged) return false;
     if (!couple || !updateCouplings(time_step, motion, couple)) return true;
+    if (k > 0) stepBack(time_step, motion, couple);
   }
   return true;
+}
+
+/// Where the couplings at the new Δv drive it back, it has gone too far from the last one: takes the point between at
+/// which they drive it nowhere along that line. The forces of contacts descend from a convex potential, so this ends
+/// circles in which contacts close and part in turn, and what the last solve leaves is no worse than what it began
+/// with.
+void ImplicitStep::stepBack(double time_step, const Motion& motion, const Couple& couple) {
+  towards_ = dv_;
+  for (std::size_t c = 0; c < dv_.size(); ++c) towards_[c] -= dv_before_[c];
+  const auto driveAt = [&](double share) {
+    for (std::size_t c = 0; c < dv_.size(); ++c) dv_[c] = dv_before_[c] + share * towards_[c];
+    updateCouplings(time_step, motion, couple);
+    return drive(time_step, motion);
+  };
+  if (!(drive(time_step, motion) < 0)) return;
+  const double at_start = driveAt(0);
+  double near = 0, far = 1;
+  for (int k = 0; k < MAX_SEARCH; ++k) {
+    const double share = (near + far) / 2, here = driveAt(share);
+    if (std::abs(here) < SEARCH_TOLERANCE * at_start) return;
+    (here > 0 ? near : far) = share;
+  }
+}
+
+/// How the forces at Δv drive it on along the last step.
+double ImplicitStep::drive(double time_step, const Motion& motion) {
+  residual(time_step, motion, dv_, &drive_);
+  double sum = 0;
+  for (std::size_t c = 0; c < dv_.size(); ++c) sum += drive_[c].dot(towards_[c]);
+  return sum;
 }
 
 bool ImplicitStep::updateCouplings(double time_step, const Motion& motion, const Couple& couple) {

@@ -65,6 +65,16 @@ TEST(FragmentFinder, FindsNothingInABodyThatIsWhole) {
   }
 }
 
+// As those that close gaps of the surface, whose corners may belong to any parts.
+TEST(FragmentFinder, TakesNoTriangleWithoutAreaAtRest) {
+  Touching rig({2, 2, 2}, Vec3::Ones());
+  rig.cut(plane(Vec3(0.5, 0.5, 0.45), Vec3::UnitZ()));
+  EXPECT_FALSE(rig.find().empty());
+  for (Vec3& X : rig.contact.rest) X = Vec3(0.5, 0.5, X.z());
+  rig.finder.surfaceChanged();
+  EXPECT_TRUE(rig.again().empty());
+}
+
 // Every point of one face lies on the other, with no gap; twins are one contact.
 TEST(FragmentFinder, FindsFacesJustCutTouchingAndNoMore) {
   Touching rig({4, 4, 4}, Vec3::Ones());

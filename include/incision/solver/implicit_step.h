@@ -57,6 +57,8 @@ class ImplicitStep {
   void prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
   bool solveCoupled(double time_step, const Motion& motion, const Couple& couple);
   bool updateCouplings(double time_step, const Motion& motion, const Couple& couple);
+  void stepBack(double time_step, const Motion& motion, const Couple& couple);
+  double drive(double time_step, const Motion& motion);
   bool joinGroups();
   LinearSolver* current() { return fallback_steps_ > 0 ? fallback_.get() : solver_.get(); }
   void remember();
@@ -83,6 +85,7 @@ class ImplicitStep {
   Basis basis_;        // of the first guess: the last Δv and its backward differences
   Basis again_basis_;  // the same for another solve in the same step
   std::vector<Vec3> dv_, external_, y_, inertia_, v_end_;
+  std::vector<Vec3> dv_before_, towards_, drive_;  // where a step towards other couplings begins, itself, and residual
   std::vector<Coupling> couplings_;
   bool was_coupled_ = false;  // the matrix that the solver knows holds couplings
   SolveStats stats_;
