@@ -79,6 +79,11 @@ void Contact::begin(const Motion& motion, double time_step, const LinkMotion& li
   findObstacleContacts(surface_, x_, v_, time_step, OBSTACLE_STIFFNESS * young_modulus_, obstacles_, links, touches_,
                        &candidates_);
   recall(time_step);
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
+                                   [](const Candidate& c) {
+                                     return c.partner == Candidate::BODY && c.ignored > DEEPEST_BEGIN * c.size;
+                                   }),
+                    candidates_.end());
   used_.assign(candidates_.size(), Trial());
   trials_.resize(candidates_.size());
 }

@@ -13,6 +13,7 @@
 
 #include "benchmark/bent_bar.h"
 #include "benchmark/triad.h"
+#include "incision/contact/fragments.h"
 #include "incision/fem/rotation.h"
 #include "incision/mesh/parallel.h"
 #include "incision/solver/coarse_space.h"
@@ -221,6 +222,29 @@ void cutInsert(State& state) {
   });
 }
 
+/// Where a cut bar may touch itself, looked for from scratch: the surface's vertices and triangles in.
+void fragmentSearch(State& state) {
+  const Bar bar(GRIDS[state.range(0)]);
+  CutMesh mesh = bar.mesh;
+  mesh.insert(planeField(plane(), mesh, bar.x));
+  std::vector<Vec3> x = bar.x;
+  for (int c = static_cast<int>(x.size()); c < mesh.numCopies(); ++c) x.push_back(x[mesh.copyParent(c)]);
+  int pieces = 0;
+  const Surface surface = buildSurface(mesh);
+  const ContactSurface contact = makeContactSurface(surface, mesh, mesh.copyPieces(&pieces));
+  const std::vector<Vec3> vertices = surfacePositions(surface, x), still(vertices.size(), Vec3::Zero());
+  FragmentFinder finder;
+  std::vector<Candidate> candidates;
+  const auto triangles = static_cast<double>(surface.triangles.size());
+  double seconds = 0;
+  measure(state, bar, 2 * VECTOR * static_cast<double>(vertices.size()) + 3 * sizeof(int) * triangles, [&] {
+    finder.surfaceChanged();
+    candidates.clear();
+    return seconds = secondsOf([&] { finder.find(contact, vertices, still, TIME_STEP, 1, THREADS, &candidates); });
+  });
+  state.counters["ns/triangle"] = 1e9 * seconds / triangles;
+}
+
 /// All that is edited or found anew after a cut, pattern and aggregates among it, and the matrix of the first step that
 /// has them: elements in, blocks out.
 void cutTopology(State& state) {
@@ -262,6 +286,7 @@ BENCHMARK(matrixProduct)->Apply(sizes);
 BENCHMARK(iteration)->Apply(fewCalls);
 BENCHMARK(choleskyFactor)->Apply(fewCalls);
 BENCHMARK(surfaceUpdate)->Apply(sizes);
+BENCHMARK(fragmentSearch)->Apply(sizes);
 BENCHMARK(cutInsert)->Apply(fewCalls);
 BENCHMARK(cutTopology)->Apply(fewCalls);
 

@@ -21,6 +21,10 @@ inline constexpr double MARGIN = 0.1;
 /// second: a spring that is there at once would come with energy from nowhere, and shoot the body out.
 inline constexpr double RECOVERY = 1;
 
+/// Contacts of the body with itself that begin deeper than this, in elements, are none: the point lies behind a face of
+/// something thin, which another face keeps it out of.
+inline constexpr double DEEPEST_BEGIN = 0.05;
+
 /// A place where a point of the surface may touch a plane in this step.
 struct Candidate {
   int sample;        ///< of the ContactSurface; for obstacles the vertex
