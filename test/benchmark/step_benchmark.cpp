@@ -28,7 +28,7 @@ struct Group {
   bool (*run)(const Options&, Json*);
 };
 
-constexpr std::array<Group, 8> GROUPS = {{{"tips", tips},
+constexpr std::array<Group, 9> GROUPS = {{{"tips", tips},
                                           {"grids", grids},
                                           {"threads", threads},
                                           {"linear", linear},
