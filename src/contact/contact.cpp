@@ -62,17 +62,8 @@ void Contact::surfaceChanged(const Surface& surface, const CutMesh& mesh, const 
 int Contact::orderOf(int sample) const { return sample - surface_.sample_start[surface_.samples[sample].vertex]; }
 
 void Contact::begin(const Motion& motion, double time_step, const LinkMotion& links) {
-  const auto& vertices = surface_.surface->vertices;
-  x_.resize(vertices.size());
-  v_.resize(vertices.size());
-  parallelFor(static_cast<int>(vertices.size()), threads_, [&](int i) {
-    x_[i].setZero();
-    v_[i].setZero();
-    for (int k = 0; k < 4; ++k) {
-      x_[i] += vertices[i].weights[k] * motion.x[vertices[i].copies[k]];
-      v_[i] += vertices[i].weights[k] * motion.v[vertices[i].copies[k]];
-    }
-  });
+  interpolate(*surface_.surface, motion.x, threads_, &x_);
+  interpolate(*surface_.surface, motion.v, threads_, &v_);
   candidates_.clear();
   if (settings_.self)
     fragments_.find(surface_, x_, v_, time_step, CONTACT_STIFFNESS * young_modulus_, threads_, &candidates_);

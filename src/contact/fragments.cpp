@@ -178,20 +178,18 @@ Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& p
 void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
   const auto& triangles = surface.surface->triangles;
   normals_.resize(triangles.size());
-  std::vector<Vec3>& areas = sample_normals_;  // not in use yet, and no smaller
-  areas.resize(std::max(triangles.size(), surface.samples.size()));
+  areas_.resize(triangles.size());
   parallelFor(static_cast<int>(triangles.size()), threads, [&](int t) {
     const auto& [a, b, c] = triangles[t];
-    areas[t] = (x[b] - x[a]).cross(x[c] - x[a]);
-    normals_[t] = normalised(areas[t]);
+    areas_[t] = (x[b] - x[a]).cross(x[c] - x[a]);
+    normals_[t] = normalised(areas_[t]);
   });
-  std::vector<Vec3> sums(surface.samples.size());
-  parallelFor(static_cast<int>(sums.size()), threads, [&](int s) {
+  sample_normals_.resize(surface.samples.size());
+  parallelFor(static_cast<int>(sample_normals_.size()), threads, [&](int s) {
     Vec3 sum = Vec3::Zero();
-    for (int k = surface.samples[s].first; k < surface.samples[s].last; ++k) sum += areas[surface.around[k]];
-    sums[s] = normalised(sum);
+    for (int k = surface.samples[s].first; k < surface.samples[s].last; ++k) sum += areas_[surface.around[k]];
+    sample_normals_[s] = normalised(sum);
   });
-  sample_normals_.swap(sums);
 }
 
 FragmentFinder::Cell FragmentFinder::cellOf(const Vec3& point) const {

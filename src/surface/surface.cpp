@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "incision/mesh/parallel.h"
 #include "incision/surface/exposed.h"
 #include "incision/surface/gaps.h"
 #include "incision/surface/mesh_points.h"
@@ -116,13 +117,18 @@ Surface buildSurface(const CutMesh& mesh) { return SurfaceBuilder(mesh).run(); }
 
 std::vector<Vec3> surfacePositions(const Surface& surface, const std::vector<Vec3>& x) {
   std::vector<Vec3> positions;
-  positions.reserve(surface.vertices.size());
-  for (const SurfaceVertex& vertex : surface.vertices) {
-    Vec3 position = Vec3::Zero();
-    for (int k = 0; k < 4; ++k) position += vertex.weights[k] * x[vertex.copies[k]];
-    positions.push_back(position);
-  }
+  interpolate(surface, x, 1, &positions);
   return positions;
+}
+
+void interpolate(const Surface& surface, const std::vector<Vec3>& x, int threads, std::vector<Vec3>* result) {
+  result->resize(surface.vertices.size());
+  parallelFor(static_cast<int>(result->size()), threads, [&](int i) {
+    const SurfaceVertex& vertex = surface.vertices[i];
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < 4; ++k) sum += vertex.weights[k] * x[vertex.copies[k]];
+    (*result)[i] = sum;
+  });
 }
 
 double enclosedVolume(const Surface& surface, const std::vector<Vec3>& positions) {

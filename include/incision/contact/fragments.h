@@ -55,6 +55,7 @@ class FragmentFinder {
   double cell_ = 0, reach_ = 0, skin_ = 0;
   std::vector<Vec3> searched_x_;      // where the vertices were at the last search
   std::vector<Vec3> paths_;           // what each moves in a step, beside the mean [m]
+  std::vector<Vec3> areas_;           // of each triangle: its normal, twice its area long
   std::vector<Vec3> normals_;         // of each triangle, unit or zero
   std::vector<Vec3> sample_normals_;  // the same
   // Samples by the slot of the grid's cell they lie in: slot_samples_[slot_start_[s]] …

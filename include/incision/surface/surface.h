@@ -27,8 +27,10 @@ struct Surface {
 /// What bounds the parts and is not held together with another part across a face; cut faces appear once for each side.
 Surface buildSurface(const CutMesh& mesh);
 
-/// W x for the copies' positions `x` [m].
+/// W x for the copies' positions `x` [m]; the second form takes any vectors at the copies, up to `threads` threads, and
+/// the memory that `result` has.
 std::vector<Vec3> surfacePositions(const Surface& surface, const std::vector<Vec3>& x);
+void interpolate(const Surface& surface, const std::vector<Vec3>& x, int threads, std::vector<Vec3>* result);
 
 /// Signed volume enclosed by the surface [m³].
 double enclosedVolume(const Surface& surface, const std::vector<Vec3>& positions);
