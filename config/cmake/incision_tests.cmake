@@ -4,6 +4,7 @@
 # - test/body/instruction_count.py: instructions a step, where valgrind is installed.
 # - test/ros/*.test: rostest. Full are *_full.test.
 # - the sources: what includes what, their format, catkin_lint.
+# - test/report/<section>/: the report's claims, see incision_report.
 # - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>_corpus/.
 if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
   return()
@@ -84,6 +85,11 @@ if(VALGRIND AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND CMAKE_CXX_COMPILER_
   add_test(NAME quick.cost.instructions
     COMMAND "${PROJECT_SOURCE_DIR}/test/body/instruction_count.py" $<TARGET_FILE:incision_batch> ${VALGRIND})
   set_tests_properties(quick.cost.instructions PROPERTIES LABELS quick TIMEOUT 300)
+endif()
+
+# The sanitizers would take an hour, and the other tests cover the same code under them.
+if(NOT INCISION_SANITIZE)
+  include(incision_report)
 endif()
 
 # Checks of the sources, of which a program that is not installed drops out.
