@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "incision/body/deformable_body.h"
-#include "incision/solver/implicit_step.h"
+#include "incision/solver/backward_difference.h"
 #include "incision/tool/stroke.h"
 
 namespace incision {
@@ -34,6 +34,7 @@ struct DeformableBody::State {
   void fracture(StepResult* result);
   const Surface& currentSurface() const;
   bool advance(double time, double time_step);
+  bool advanceFreely(double time, double time_step);
   bool advanceInHalves(double time, double time_step);
   std::optional<Pose> scenePose() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
@@ -41,6 +42,7 @@ struct DeformableBody::State {
   Scene scene;
   CutMesh mesh;
   ImplicitStep step;
+  BackwardDifference past;  // for steps of second order
   Motion motion;
   std::int64_t steps = 0;
   std::deque<ScheduledCut> scheduled;                             // by time; equal times in the order they came

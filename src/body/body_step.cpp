@@ -61,6 +61,7 @@ void DeformableBody::State::placeNewCopies() {
 void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
   placeNewCopies();
   step.topologyChanged(motion, touched);
+  past.forget();
   if (growth) growth->topologyChanged(step.assembly(), touched);
   if (cohesion) cohesion->topologyChanged(mesh);
   ++topology_version;
@@ -104,7 +105,7 @@ const Surface& DeformableBody::State::currentSurface() const {
 /// changed.
 bool DeformableBody::State::advance(double time, double time_step) {
   const bool holds = cohesion && !cohesion->empty();
-  if (!contact && !holds) return step.advance(time, time_step, &motion);
+  if (!contact && !holds) return advanceFreely(time, time_step);
   if (contact) {
     const auto start = Clock::now();
     if (contact_version != topology_version) contact->surfaceChanged(currentSurface(), mesh, step.pieceOf());
@@ -119,12 +120,20 @@ bool DeformableBody::State::advance(double time, double time_step) {
     const bool hold_changes = holds && cohesion->update(dt, v_end, couplings);
     return touch_changes || hold_changes;
   };
-  if (!step.advance(time, time_step, &motion, couple)) return false;
+  const bool coupled = holds || contact->mayTouch();
+  if (coupled) past.forget();
+  if (!(coupled ? step.advance(time, time_step, &motion, couple) : advanceFreely(time, time_step))) return false;
   if (holds) cohesion->accept(motion.x);
   if (!contact) return true;
   touching = contact->accept(time_step, motion.v);
   links.from = links.to;
   return true;
+}
+
+/// One step in which nothing is touched.
+bool DeformableBody::State::advanceFreely(double time, double time_step) {
+  if (scene.solver.integrator == Integrator::EULER) return step.advance(time, time_step, &motion);
+  return past.advance(time, time_step, &step, &motion);
 }
 
 /// Two steps of half the length; returns false, with the state as it was, when one of them fails.
@@ -134,10 +143,13 @@ bool DeformableBody::State::advanceInHalves(double time, double time_step) {
   const std::optional<Contact> contact_before = contact;
   const std::optional<Cohesion> cohesion_before = cohesion;
   const double half = time_step / 2;
+  past.forget();
   for (std::size_t i = 0; i < links.to.size(); ++i) links.to[i] = between(whole.from[i], whole.to[i], 0.5);
   if (advance(time, half)) {
     links.to = whole.to;
-    if (advance(time + half, half)) return true;
+    const bool done = advance(time + half, half);
+    past.forget();
+    if (done) return true;
   }
   motion = before;
   links = whole;

@@ -117,7 +117,7 @@ Load parseLoad(const YamlValue& value) {
 }
 
 SolverSettings parseSolver(const YamlValue& value) {
-  const YamlMap map = value.map({"time_step", "method", "tolerance", "threads"});
+  const YamlMap map = value.map({"time_step", "method", "tolerance", "threads", "integrator"});
   SolverSettings solver;
   solver.time_step = map.number("time_step", solver.time_step, TIME_STEP);
   if (const auto method = map.find("method")) {
@@ -126,6 +126,8 @@ SolverSettings parseSolver(const YamlValue& value) {
   }
   solver.tolerance = map.number("tolerance", solver.tolerance, TOLERANCE);
   if (const auto threads = map.find("threads")) solver.threads = threads->integer(1, MAX_THREADS);
+  if (const auto integrator = map.find("integrator"))
+    solver.integrator = integrator->choice<Integrator>({{"euler", Integrator::EULER}, {"bdf2", Integrator::BDF2}});
   return solver;
 }
 

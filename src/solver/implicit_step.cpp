@@ -65,9 +65,10 @@ void ImplicitStep::reset() {
   dv_.clear();
 }
 
-bool ImplicitStep::advance(double time, double time_step, Motion* motion, const Couple& couple) {
+bool ImplicitStep::advance(double time, double time_step, Motion* motion, const Couple& couple,
+                           const std::vector<Vec3>* turned) {
   const auto start = std::chrono::steady_clock::now();
-  assembly_.rotate(motion->x);
+  assembly_.rotate(turned ? *turned : motion->x);
   if (fallback_steps_ > 0 && --fallback_steps_ == 0) topology_known_ = false;
   prepareMatrix(time_step, *motion);
   times_.assembly = millisecondsSince(start);

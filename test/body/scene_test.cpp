@@ -67,7 +67,7 @@ boundary:
   - {box: [[-1, -2, -3], [1, 2, 3]], velocity: [4, 5, 6]}
 loads:
   - {box: [[0, 0, 0], [1, 1, 1]], traction: [7, 8, 9], ramp: 0.5}
-solver: {time_step: 0.005, method: iterative, tolerance: 1.0e-8, threads: 3}
+solver: {time_step: 0.005, method: iterative, tolerance: 1.0e-8, threads: 3, integrator: bdf2}
 cuts:
   - {time: 0.25, label: first, point: [0.5, 0, 0], normal: [1, 0, 0], tangent: [0, 1, 0], length: 2, width: 3}
 contact: {ground: -0.5, obstacles: room.urdf, friction: 0.7, self: false}
@@ -96,6 +96,7 @@ tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0,
   EXPECT_EQ(scene.solver.method, Method::ITERATIVE);
   EXPECT_EQ(scene.solver.tolerance, 1e-8);
   EXPECT_EQ(scene.solver.threads, 3);
+  EXPECT_EQ(scene.solver.integrator, Integrator::BDF2);
   ASSERT_EQ(scene.cuts.size(), 1u);
   EXPECT_EQ(scene.cuts[0].time, 0.25);
   EXPECT_EQ(scene.cuts[0].plane.label, "first");
@@ -145,9 +146,12 @@ TEST(Scene, MessagesNameSourceKeyValueAndWhatIsAllowed) {
             "scene.yaml: boundary.0.box.1: a list of 2 (allowed: a list of 3)");
   EXPECT_EQ(
       complaint(BODY + "solver: {methd: auto}"),
-      "scene.yaml: solver.methd: unknown key, did you mean method? (allowed: time_step, method, tolerance, threads)");
+      "scene.yaml: solver.methd: unknown key, did you mean method? (allowed: time_step, method, tolerance, threads, "
+      "integrator)");
   EXPECT_EQ(complaint(BODY + "solver: {method: fast}"),
             "scene.yaml: solver.method: 'fast' (allowed: auto, direct, iterative)");
+  EXPECT_EQ(complaint(BODY + "solver: {integrator: fast}"),
+            "scene.yaml: solver.integrator: 'fast' (allowed: bdf2, euler)");
 }
 
 struct BadScene {

@@ -55,6 +55,9 @@ TEST_F(StepAllocations, AreCountedOnEveryThread) {
 TEST_F(StepAllocations, AreNoneWithoutACut) {
   for (const Method method : {Method::AUTO, Method::ITERATIVE})
     for (const auto& cells : {SMALL, LARGE}) EXPECT_EQ(allocationsOfUncutSteps(barWith(method, cells)), 0);
+  Scene second_order = barWith(Method::AUTO, SMALL);
+  second_order.solver.integrator = Integrator::BDF2;
+  EXPECT_EQ(allocationsOfUncutSteps(second_order), 0);
 }
 
 TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {

@@ -31,6 +31,9 @@ class Contact {
   /// Finds what may touch in a step of `time_step` [s] from here.
   void begin(const Motion& motion, double time_step, const LinkMotion& links);
 
+  /// Whether `begin` found anything.
+  bool mayTouch() const { return !candidates_.empty(); }
+
   /// As Couple says, but appends: the contacts that press at these velocities.
   bool update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
 

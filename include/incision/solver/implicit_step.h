@@ -39,9 +39,11 @@ class ImplicitStep {
   /// Forgets everything that came after the construction, as the mesh was replaced.
   void reset();
 
-  /// Advances from `time` by `time_step` [s], under couplings where `couple` is given. Returns false, with the motion
-  /// as it was, when the system cannot be factorised or a value is not finite.
-  bool advance(double time, double time_step, Motion* motion, const Couple& couple = {});
+  /// Advances from `time` by `time_step` [s], under couplings where `couple` is given. The rotations are those at the
+  /// positions `turned` where these are given, else at the step's start. Returns false, with the motion as it was, when
+  /// the system cannot be factorised or a value is not finite.
+  bool advance(double time, double time_step, Motion* motion, const Couple& couple = {},
+               const std::vector<Vec3>* turned = nullptr);
 
   const Assembly& assembly() const { return assembly_; }
   const SolveStats& stats() const { return stats_; }

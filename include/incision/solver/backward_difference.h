@@ -1,0 +1,30 @@
+#pragma once
+
+#include "incision/solver/implicit_step.h"
+
+namespace incision {
+
+/// Steps of second order in time, by the backward difference formula of two steps (BDF2; Curtiss and Hirschfelder
+/// 1952),
+///   x = x̂ + h v,  M (v − v̂) = h f(x, v),  h = 2/3 Δt,  x̂ = x_n + (x_n − x_{n−1})/3,  v̂ = v_n + (v_n − v_{n−1})/3:
+/// that is an implicit Euler step of length h from (x̂, v̂), so it costs no more and damps what is stiff as well. The
+/// rotations are those at x_n + Δt v_n, which is as near to the step's end as second order asks for; those at x̂ would
+/// not be, and let spinning bodies gain energy.
+class BackwardDifference {
+ public:
+  /// Forgets the past, so that the next step is one of implicit Euler: after what the past does not foresee, a cut or
+  /// an impact, from which the formula would rebound.
+  void forget() { known_ = false; }
+
+  /// Advances from `time` by `time_step` [s], always the same while the past is known. Returns false, with the motion
+  /// as it was, where ImplicitStep::advance does.
+  bool advance(double time, double time_step, ImplicitStep* step, Motion* motion);
+
+ private:
+  bool known_ = false;
+  Motion before_;            // x_{n−1}, v_{n−1}
+  Motion start_;             // x̂, v̂
+  std::vector<Vec3> ahead_;  // x_n + Δt v_n
+};
+
+}  // namespace incision
