@@ -8,8 +8,8 @@ namespace incision {
 /// 1952),
 ///   x = x̂ + h v,  M (v − v̂) = h f(x, v),  h = 2/3 Δt,  x̂ = x_n + (x_n − x_{n−1})/3,  v̂ = v_n + (v_n − v_{n−1})/3:
 /// that is an implicit Euler step of length h from (x̂, v̂), so it costs no more and damps what is stiff as well. The
-/// rotations are those at x_n + Δt v_n, which is as near to the step's end as second order asks for; those at x̂ would
-/// not be, and let spinning bodies gain energy.
+/// rotations are always those at x_n + Δt v_n, which is as near to the step's end as second order asks for; those at
+/// the start would not be, and let spinning bodies gain energy.
 class BackwardDifference {
  public:
   /// Forgets the past, so that the next step is one of implicit Euler: after what the past does not foresee, a cut or

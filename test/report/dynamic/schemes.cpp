@@ -1,0 +1,94 @@
+#include "report/dynamic/schemes.h"
+
+#include <cmath>
+#include <memory>
+
+#include "incision/solver/backward_difference.h"
+
+namespace incision::report {
+namespace {
+
+using Values = std::vector<Vec3>;
+
+/// a + s b.
+Values sum(const Values& a, double s, const Values& b) {
+  Values result = a;
+  for (std::size_t c = 0; c < a.size(); ++c) result[c] += s * b[c];
+  return result;
+}
+
+/// a + s (b − a).
+Values beyond(const Values& a, double s, const Values& b) {
+  Values result = a;
+  for (std::size_t c = 0; c < a.size(); ++c) result[c] += s * (b[c] - a[c]);
+  return result;
+}
+
+Motion beyond(const Motion& a, double s, const Motion& b) { return {beyond(a.x, s, b.x), beyond(a.v, s, b.v)}; }
+
+}  // namespace
+
+Scheme eulerScheme() {
+  return {"implicit Euler", [] {
+            return [](double time, double time_step, ImplicitStep* step, Motion* motion) {
+              return step->advance(time, time_step, motion);
+            };
+          }};
+}
+
+Scheme bdf2Scheme() {
+  return {"BDF2", [] {
+            const auto past = std::make_shared<BackwardDifference>();
+            return [past](double time, double time_step, ImplicitStep* step, Motion* motion) {
+              return past->advance(time, time_step, step, motion);
+            };
+          }};
+}
+
+Scheme newtonScheme(int iterations) {
+  return {"Euler, " + std::to_string(iterations) + " Newton iterations", [iterations] {
+            return [iterations](double time, double time_step, ImplicitStep* step, Motion* motion) {
+              const Motion start = *motion;
+              if (!step->advance(time, time_step, motion)) return false;
+              for (int k = 1; k < iterations; ++k) {
+                const Values end = motion->x;
+                *motion = start;
+                if (!step->advance(time, time_step, motion, {}, &end)) return false;
+              }
+              return true;
+            };
+          }};
+}
+
+Scheme midpointScheme() {
+  return {"implicit midpoint", [] {
+            return [](double time, double time_step, ImplicitStep* step, Motion* motion) {
+              const Motion start = *motion;
+              const Values middle = sum(start.x, time_step / 2, start.v);
+              if (!step->advance(time, time_step / 2, motion, {}, &middle)) return false;
+              *motion = beyond(start, 2, *motion);
+              return true;
+            };
+          }};
+}
+
+Scheme sdirk2Scheme() {
+  return {"SDIRK2", [] {
+            return [](double time, double time_step, ImplicitStep* step, Motion* motion) {
+              const double gamma = 1 - std::sqrt(0.5), h = gamma * time_step;
+              const Motion start = *motion;
+              const Values first = sum(start.x, h, start.v);
+              if (!step->advance(time, h, motion, {}, &first)) return false;
+              const Values v = beyond(start.v, 1 / gamma, motion->v);
+              *motion = beyond(start, (1 - gamma) / gamma, *motion);
+              const Values second = sum(motion->x, h, v);
+              return step->advance(time + time_step - h, h, motion, {}, &second);
+            };
+          }};
+}
+
+std::vector<Scheme> allSchemes() {
+  return {eulerScheme(), bdf2Scheme(), newtonScheme(2), midpointScheme(), sdirk2Scheme()};
+}
+
+}  // namespace incision::report
