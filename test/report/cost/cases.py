@@ -1,0 +1,64 @@
+"""The scene whose cost is measured, and the settings that add one feature to it."""
+
+import dataclasses
+import pathlib
+
+SCENE = pathlib.Path(__file__).resolve().parents[3] / 'config/scenes/bar.yaml'
+
+TIME_STEP = 0.01  # of that scene [s]
+FIRST, STEPS = 10, 10  # steps that are taken before those that are measured, and these
+START, END = FIRST * TIME_STEP, (FIRST + STEPS) * TIME_STEP
+
+# The lower half of one end is held, so that the upper of two layers rests on the lower one.
+BASE = ('boundary.0.box=[[-1, -1, -1], [1.0e-6, 1, 0.126]]', 'solver.method=iterative')
+COARSE = ('body.grid.cells=[8, 3, 3]',)
+
+
+def slits(first, apart):
+    """One cut a measured step, each from above down to three fifths of the bar's height."""
+    return 'cuts=[' + ', '.join(
+        f'{{time: {first + k * apart}, point: [{0.1 + 0.08 * k}, 0.125, 0.25], normal: [1, 0.1, 0.05], '
+        'tangent: [0, 0, 1], length: 0.3}' for k in range(STEPS)) + ']'
+
+
+def wire(x):
+    """A wire across the bar that goes down from above it to below its middle during the measured steps."""
+    return ('tool={edge: [[0, -0.5, 0], [0, 0.5, 0]], poses: '
+            f'[[{START - TIME_STEP}, {x}, 0, 0.26, 0, 0, 0, 1], [{END}, {x}, 0, 0.05, 0, 0, 0, 1]]}}')
+
+
+LAYERS = 'cuts=[{point: [0.5, 0.125, 0.15], normal: [0.05, 0.03, 1]}]'
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    key: str
+    feature: str
+    state: str  # 'absent', 'idle' or 'working'
+    text: str
+    settings: tuple
+    against: str = 'plain'  # the case in which this feature alone is absent
+
+
+CASES = (
+    Case('plain', 'plain', 'absent', 'nothing but the body', ()),
+    Case('cut waits', 'cracks', 'idle', 'cuts that have not come yet', (slits(1e6, 1),)),
+    Case('cut before', 'cracks', 'idle', 'ten slits, made long ago', (slits(0, 0),)),
+    Case('cut now', 'cracks', 'working', 'a slit in every step', (slits(START, TIME_STEP),)),
+    Case('fracture waits', 'fracture', 'idle', 'a strength that is never reached',
+         ('fracture={tensile_strength: 1.0e+9}',)),
+    Case('fracture grows', 'fracture', 'working', 'cracks that grow', ('fracture={tensile_strength: 1.0e+4}',)),
+    Case('cohesion', 'fracture', 'working', 'cracks that grow and take energy',
+         ('fracture={tensile_strength: 1.0e+4, fracture_energy: 10}',)),
+    Case('ground below', 'contact', 'idle', 'the ground far below', ('contact={ground: -100}',)),
+    Case('on ground', 'contact', 'working', 'lying on the ground', ('contact={ground: 0}',)),
+    Case('one piece', 'self-contact', 'idle', 'one piece', ('contact={self: true}',)),
+    Case('layers', 'self-contact', 'absent', 'cut in two layers', (LAYERS,)),
+    Case('layers touch', 'self-contact', 'working', 'two layers that rest on each other',
+         (LAYERS, 'contact={self: true}'), 'layers'),
+    Case('tool away', 'tool', 'idle', 'a blade that moves beside the body', (wire(50),)),
+    Case('tool cuts', 'tool', 'working', 'a blade that moves through the body', (wire(0.55),)),
+    Case('consistent', 'consistent mass', 'working', 'consistent mass', ('body.mass=consistent',)),
+    Case('linear', 'warping', 'absent', 'without warping', ('body.warping=false', 'solver.method=direct')),
+    Case('warped', 'warping', 'working', 'with warping, solved directly', ('solver.method=direct',), 'linear'),
+)
