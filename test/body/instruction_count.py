@@ -7,11 +7,11 @@ A count is that of a long run less that of a short one, so loading the scene dro
 it holds for one compiler and one set of flags: the Release build with GCC for plain x86-64.
 """
 
-import os
 import pathlib
-import re
-import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+import callgrind  # noqa: E402
 
 SCENE = pathlib.Path(__file__).resolve().parents[2] / 'config/scenes/bar.yaml'
 SHORT, LONG = 20, 60  # steps
@@ -31,15 +31,8 @@ CASES = (
 def instructions(batch, valgrind, steps, settings):
     """Of a whole run on one thread."""
     sets = [word for setting in ('solver.tolerance=1e-4', *settings) for word in ('--set', setting)]
-    command = [valgrind, '--tool=callgrind', '--callgrind-out-file=/dev/null',
-               batch, SCENE, '--steps', str(steps), '--threads', '1', *sets]
-    # Whatever the processor, the loader and the libraries take the code that runs on every x86-64.
-    plain = {'GLIBC_TUNABLES': 'glibc.cpu.hwcaps=-AVX2', 'OPENBLAS_CORETYPE': 'Prescott'}
-    run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                         env={**os.environ, **plain})
-    if run.returncode:
-        sys.exit(run.stderr)
-    return int(re.search(r'Collected : (\d+)', run.stderr).group(1))
+    costs, _ = callgrind.count([batch, SCENE, '--steps', steps, '--threads', 1, *sets], valgrind)
+    return sum(costs.values())
 
 
 def main(batch, valgrind):

@@ -29,6 +29,7 @@ install_packages test
 configure "$BUILD" -DCATKIN_ENABLE_TESTING=ON "-DINCISION_WERROR=${INCISION_WERROR:-OFF}"
 compile "$BUILD" report
 export INCISION_BATCH="$BUILD/devel/lib/incision/incision_batch"
+export INCISION_REPORT="$BUILD/report" INCISION_OBJECTS="$BUILD/CMakeFiles"
 
 status=0
 mkdir -p "$folder/data"

@@ -35,24 +35,20 @@ def self_costs(lines):
     return costs
 
 
-def run(command):
+def run(command, environment=None):
     """What a command prints. Ends the program where the command fails."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                          env={**os.environ, **PLAIN})
+                          env={**os.environ, **PLAIN, **(environment or {})})
     if done.returncode:
         sys.exit(done.stderr)
     return done.stdout
 
 
-def count(command, valgrind='valgrind', inside=()):
-    """Instructions in each function, by its mangled name, while a command runs, and what the command prints.
-
-    Where there are patterns `inside`, only what functions of such names, and those they call, take.
-    """
+def count(command, valgrind='valgrind', options=(), environment=None):
+    """Instructions in each function, by its mangled name, while a command runs, and what the command prints."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / 'callgrind.out'
-        patterns = [f'--toggle-collect={pattern}' for pattern in inside]
-        printed = run([valgrind, '--tool=callgrind', f'--callgrind-out-file={out}', '--demangle=no', *patterns,
-                       *command])
+        printed = run([valgrind, '--tool=callgrind', f'--callgrind-out-file={out}', '--demangle=no', *options,
+                       *command], environment)
         with open(out, encoding='utf-8') as lines:
             return self_costs(line for line in lines if line.strip()), printed

@@ -9,9 +9,10 @@ TIME_STEP = 0.01  # of that scene [s]
 FIRST, STEPS = 10, 10  # steps that are taken before those that are measured, and these
 START, END = FIRST * TIME_STEP, (FIRST + STEPS) * TIME_STEP
 
-# The lower half of one end is held, so that the upper of two layers rests on the lower one.
-BASE = ('boundary.0.box=[[-1, -1, -1], [1.0e-6, 1, 0.126]]', 'solver.method=iterative')
-COARSE = ('body.grid.cells=[8, 3, 3]',)
+# The lower half of one end is held, so that the upper of two layers comes to rest on the lower one.
+BASE = ('boundary.0.box=[[-1, -1, -1], [1.0e-6, 1, 0.126]]', 'body.material.young_modulus=1.0e+7',
+        'body.material.stiffness_damping=0.01', 'solver.method=iterative')
+QUICK, FULL = ('body.grid.cells=[8, 3, 3]',), ()
 
 
 def slits(first, apart):
@@ -24,7 +25,7 @@ def slits(first, apart):
 def wire(x):
     """A wire across the bar that goes down from above it to below its middle during the measured steps."""
     return ('tool={edge: [[0, -0.5, 0], [0, 0.5, 0]], poses: '
-            f'[[{START - TIME_STEP}, {x}, 0, 0.26, 0, 0, 0, 1], [{END}, {x}, 0, 0.05, 0, 0, 0, 1]]}}')
+            f'[[{START - 4 * TIME_STEP}, {x}, 0, 0.30, 0, 0, 0, 1], [{END}, {x}, 0, 0.05, 0, 0, 0, 1]]}}')
 
 
 LAYERS = 'cuts=[{point: [0.5, 0.125, 0.15], normal: [0.05, 0.03, 1]}]'
@@ -38,6 +39,9 @@ class Case:
     text: str
     settings: tuple
     against: str = 'plain'  # the case in which this feature alone is absent
+    first: int = FIRST  # steps before the measured ones
+    program: str = 'report_cost'
+    parameters: tuple = ()  # of the ROS node that the program is
 
 
 CASES = (
@@ -50,15 +54,27 @@ CASES = (
     Case('fracture grows', 'fracture', 'working', 'cracks that grow', ('fracture={tensile_strength: 1.0e+4}',)),
     Case('cohesion', 'fracture', 'working', 'cracks that grow and take energy',
          ('fracture={tensile_strength: 1.0e+4, fracture_energy: 10}',)),
-    Case('ground below', 'contact', 'idle', 'the ground far below', ('contact={ground: -100}',)),
-    Case('on ground', 'contact', 'working', 'lying on the ground', ('contact={ground: 0}',)),
+    Case('ground below', 'contact', 'idle', 'ground far below', ('contact={ground: -100, self: false}',)),
+    Case('on ground', 'contact', 'working', 'lying on the ground', ('contact={ground: 0, self: false}',)),
     Case('one piece', 'self-contact', 'idle', 'one piece', ('contact={self: true}',)),
     Case('layers', 'self-contact', 'absent', 'cut in two layers', (LAYERS,)),
-    Case('layers touch', 'self-contact', 'working', 'two layers that rest on each other',
+    Case('layers settle', 'self-contact', 'working', 'a layer that slides and settles on another',
          (LAYERS, 'contact={self: true}'), 'layers'),
-    Case('tool away', 'tool', 'idle', 'a blade that moves beside the body', (wire(50),)),
+    Case('layers rest', 'self-contact', 'working', 'a layer at rest on another',
+         (LAYERS, 'contact={self: true}'), 'layers', 100),
+    Case('tool away', 'tool', 'idle', 'a blade that moves beside it', (wire(50),)),
     Case('tool cuts', 'tool', 'working', 'a blade that moves through the body', (wire(0.55),)),
     Case('consistent', 'consistent mass', 'working', 'consistent mass', ('body.mass=consistent',)),
     Case('linear', 'warping', 'absent', 'without warping', ('body.warping=false', 'solver.method=direct')),
     Case('warped', 'warping', 'working', 'with warping, solved directly', ('solver.method=direct',), 'linear'),
+)
+
+MARKERS = 'report_cost_markers'
+ROS_CASES = (
+    Case('no markers', 'markers', 'absent', 'marker_rate 0', (), 'no markers', program=MARKERS,
+         parameters=('_rate:=0.0',)),
+    Case('nobody listens', 'markers', 'idle', 'no subscriber', (), 'no markers', program=MARKERS,
+         parameters=('_rate:=15.0',)),
+    Case('markers', 'markers', 'working', 'a subscriber', (), 'no markers', program=MARKERS,
+         parameters=('_rate:=15.0', '_listens:=true')),
 )
