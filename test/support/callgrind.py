@@ -35,20 +35,20 @@ def self_costs(lines):
     return costs
 
 
-def run(command, environment=None):
-    """What a command prints. Ends the program where the command fails."""
+def run(command, environment):
+    """What a command prints, with these variables besides. Ends the program where the command fails."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                          env={**os.environ, **PLAIN, **(environment or {})})
+                          env={**os.environ, **environment})
     if done.returncode:
         sys.exit(done.stderr)
     return done.stdout
 
 
-def count(command, valgrind='valgrind', options=(), environment=None):
+def count(command, valgrind='valgrind', options=(), environment={}):
     """Instructions in each function, by its mangled name, while a command runs, and what the command prints."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / 'callgrind.out'
         printed = run([valgrind, '--tool=callgrind', f'--callgrind-out-file={out}', '--demangle=no', *options,
-                       *command], environment)
+                       *command], {**PLAIN, **environment})
         with open(out, encoding='utf-8') as lines:
             return self_costs(line for line in lines if line.strip()), printed

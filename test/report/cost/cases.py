@@ -22,10 +22,10 @@ def slits(first, apart):
         'tangent: [0, 0, 1], length: 0.3}' for k in range(STEPS)) + ']'
 
 
-def wire(x):
-    """A wire across the bar that goes down from above it to below its middle during the measured steps."""
+def wire(x, last):
+    """A wire across the bar that goes down from above it to the height `last` at the end of the measured steps."""
     return ('tool={edge: [[0, -0.5, 0], [0, 0.5, 0]], poses: '
-            f'[[{START - 4 * TIME_STEP}, {x}, 0, 0.30, 0, 0, 0, 1], [{END}, {x}, 0, 0.05, 0, 0, 0, 1]]}}')
+            f'[[{START - 4 * TIME_STEP}, {x}, 0, 0.3, 0, 0, 0, 1], [{END}, {x}, 0, {last}, 0, 0, 0, 1]]}}')
 
 
 LAYERS = 'cuts=[{point: [0.5, 0.125, 0.15], normal: [0.05, 0.03, 1]}]'
@@ -45,7 +45,7 @@ class Case:
 
 
 CASES = (
-    Case('plain', 'plain', 'absent', 'nothing but the body', ()),
+    Case('plain', 'none', 'absent', 'the bar alone', ()),
     Case('cut waits', 'cracks', 'idle', 'cuts that have not come yet', (slits(1e6, 1),)),
     Case('cut before', 'cracks', 'idle', 'ten slits, made long ago', (slits(0, 0),)),
     Case('cut now', 'cracks', 'working', 'a slit in every step', (slits(START, TIME_STEP),)),
@@ -57,16 +57,18 @@ CASES = (
     Case('ground below', 'contact', 'idle', 'ground far below', ('contact={ground: -100, self: false}',)),
     Case('on ground', 'contact', 'working', 'lying on the ground', ('contact={ground: 0, self: false}',)),
     Case('one piece', 'self-contact', 'idle', 'one piece', ('contact={self: true}',)),
-    Case('layers', 'self-contact', 'absent', 'cut in two layers', (LAYERS,)),
+    Case('layers', 'self-contact', 'absent', 'cut in two layers', (LAYERS,), 'layers'),
     Case('layers settle', 'self-contact', 'working', 'a layer that slides and settles on another',
          (LAYERS, 'contact={self: true}'), 'layers'),
     Case('layers rest', 'self-contact', 'working', 'a layer at rest on another',
          (LAYERS, 'contact={self: true}'), 'layers', 100),
-    Case('tool away', 'tool', 'idle', 'a blade that moves beside it', (wire(50),)),
-    Case('tool cuts', 'tool', 'working', 'a blade that moves through the body', (wire(0.55),)),
-    Case('consistent', 'consistent mass', 'working', 'consistent mass', ('body.mass=consistent',)),
-    Case('linear', 'warping', 'absent', 'without warping', ('body.warping=false', 'solver.method=direct')),
-    Case('warped', 'warping', 'working', 'with warping, solved directly', ('solver.method=direct',), 'linear'),
+    Case('tool still', 'tool', 'idle', 'a blade that stands still', (wire(0.55, 0.3),)),
+    Case('tool away', 'tool', 'idle', 'a blade that moves beside it', (wire(50, 0.05),)),
+    Case('tool cuts', 'tool', 'working', 'a blade that moves through it', (wire(0.55, 0.05),)),
+    Case('consistent', 'consistent mass', 'working', 'instead of lumped', ('body.mass=consistent',)),
+    Case('linear', 'warping', 'absent', 'linear, solved directly', ('body.warping=false', 'solver.method=direct'),
+         'linear'),
+    Case('warped', 'warping', 'working', 'warped, solved directly', ('solver.method=direct',), 'linear'),
 )
 
 MARKERS = 'report_cost_markers'

@@ -67,7 +67,7 @@ def idle(cases):
     plain = cases['plain']['instructions']
     yield below('cuts that have not come yet: instructions a step above none',
                 abs(cases['cut waits']['instructions'] - plain), 1000)
-    for key in ('fracture waits', 'ground below', 'one piece', 'tool away'):
+    for key in ('fracture waits', 'ground below', 'one piece', 'tool still', 'tool away'):
         case = cases[key]
         yield below(f"{case['feature']}, {case['text']}: share by which instructions grow",
                     case['instructions'] / plain - 1, IDLE_SHARE)
@@ -77,7 +77,7 @@ def markers(cases):
     for key in ('no markers', 'nobody listens'):
         yield equals(f"markers, {cases[key]['text']}: instructions a step that build messages",
                      inside(cases[key], 'ros/markers'), 0)
-    yield above('the same, a subscriber', inside(cases['markers'], 'ros/markers'), 0)
+    yield above('the same, with a subscriber', inside(cases['markers'], 'ros/markers'), 0)
     yield below('markers, no subscriber: instructions a step above those of marker_rate 0',
                 cases['nobody listens']['instructions'] - cases['no markers']['instructions'], 10000)
 

@@ -64,7 +64,7 @@ def main():
     arguments = parser.parse_args()
     has_ros = (PROGRAMS / MARKERS).exists()
     file_of = functions.files(pathlib.Path(os.environ['INCISION_OBJECTS']))
-    with ros_master.running() if has_ros else contextlib.nullcontext() as environment:
+    with ros_master.running() if has_ros else contextlib.nullcontext({}) as environment:
         cases = measure(CASES + (ROS_CASES if has_ros else ()), arguments.quick, environment, file_of)
     checked = claims.check(cases)
     with open(arguments.output, 'w', encoding='utf-8') as file:

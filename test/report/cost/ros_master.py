@@ -4,6 +4,7 @@ import contextlib
 import os
 import socket
 import subprocess
+import tempfile
 import time
 import xmlrpc.client
 
@@ -17,15 +18,17 @@ def free_port():
 @contextlib.contextmanager
 def running():
     """Environment of programs that are to find it, while it runs."""
-    address = f'http://127.0.0.1:{free_port()}'
-    process = subprocess.Popen(['rosmaster', '--core', '-p', address.rsplit(':', 1)[1]], stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL, env={**os.environ, 'ROS_MASTER_URI': address})
-    try:
-        wait_for(address)
-        yield {'ROS_MASTER_URI': address, 'ROS_IP': '127.0.0.1'}
-    finally:
-        process.terminate()
-        process.wait()
+    port = free_port()
+    with tempfile.TemporaryDirectory() as home:
+        environment = {'ROS_MASTER_URI': f'http://127.0.0.1:{port}', 'ROS_HOSTNAME': '127.0.0.1', 'ROS_HOME': home}
+        process = subprocess.Popen(['rosmaster', '--core', '-p', str(port)], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, env={**os.environ, **environment})
+        try:
+            wait_for(environment['ROS_MASTER_URI'])
+            yield environment
+        finally:
+            process.terminate()
+            process.wait()
 
 
 def wait_for(address):
