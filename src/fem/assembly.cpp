@@ -122,11 +122,17 @@ void Assembly::turnAll(const std::vector<Vec3>& x, const Function& f) const {
 }
 
 void Assembly::rotate(const std::vector<Vec3>& x) {
-  if (warping_) turnAll(x, [&](int p, const Mat3&, const Mat3& R) { rotations_[p] = R; });
+  if (!warping_) return;
+  if (found_at_ == x && found_rotations_.size() == rotations_.size())
+    rotations_.swap(found_rotations_);
+  else
+    turnAll(x, [&](int p, const Mat3&, const Mat3& R) { rotations_[p] = R; });
+  found_at_.clear();
 }
 
 void Assembly::reset() {
   rotations_.clear();
+  found_at_.clear();
   corners_.clear();
   corner_start_.clear();
 }
@@ -195,7 +201,10 @@ Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
   stress->resize(rotations_.size());
+  found_rotations_.resize(rotations_.size());
+  found_at_ = x;
   turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
+    found_rotations_[p] = R;
     (*stress)[p] = R * corotatedStress(R.transpose() * F, material_) * R.transpose();
   });
 }

@@ -41,7 +41,7 @@ class Assembly {
 
   /// Cauchy stress R_p σ R_pᵀ [Pa], with the rotation that belongs to `x`.
   Mat3 stress(int part, const std::vector<Vec3>& x) const;
-  /// The same of every part.
+  /// The same of every part. `rotate` at the same positions then needs not find the rotations again.
   void stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const;
 
   const CutMesh& mesh() const { return mesh_; }
@@ -85,6 +85,8 @@ class Assembly {
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
   std::vector<int> corner_start_;
   std::vector<Corner> corners_;
+  mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_
+  mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
   mutable std::vector<Mat3> part_forces_;        // on nodes 1 to 3 of each part; scratch of elasticForces
   mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass
 };
