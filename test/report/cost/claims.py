@@ -67,6 +67,8 @@ def idle(cases):
     plain = cases['plain']['instructions']
     yield below('cuts that have not come yet: instructions a step above none',
                 abs(cases['cut waits']['instructions'] - plain), 1000)
+    yield equals('fracture, idle: instructions a step that extract rotations, above those without',
+                 inside(cases['fracture waits'], 'fem/rotation') - inside(cases['plain'], 'fem/rotation'), 0)
     for key in ('fracture waits', 'ground below', 'one piece', 'tool still', 'tool away'):
         case = cases[key]
         yield below(f"{case['feature']}, {case['text']}: share by which instructions grow",
