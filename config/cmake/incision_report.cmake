@@ -46,6 +46,7 @@ foreach(section IN LISTS report_sections)
     LABELS quick TIMEOUT 600 FIXTURES_SETUP report_data ENVIRONMENT "${report_environment}")
 endforeach()
 
+# The node's part of the section `cost`, which leaves it out where there is no such program.
 if(INCISION_ROS)
   incision_report_program(report_cost_markers incision_ros
     test/report/cost/ros/markers.cpp test/report/cost/cost_run.cpp)

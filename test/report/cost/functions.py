@@ -12,17 +12,19 @@ NAMED = {'factorisation': 'SparseCholesky9factorise', 'consistent mass': 'Assemb
 
 
 def files(folder):
-    """The file of each function, such as 'fracture/growth', by its mangled name; not of names that two files have.
+    """The file of each function, such as 'fracture/growth', by its mangled name; not of names that two stages have.
 
-    `folder` holds, at any depth, the object files as cmake names them: src/fracture/growth.cpp.o.
+    `folder` holds the object files as cmake names them: incision.dir/src/fracture/growth.cpp.o.
     """
     found = {}
     for path in sorted(folder.glob('*.dir/src/*/*.cpp.o')):
         listing = subprocess.run(['nm', '--defined-only', path], stdout=subprocess.PIPE, check=True, text=True).stdout
-        name = f'{path.parent.name}/{path.name.split(".")[0]}'
+        stage = path.parent.name
         for _, kind, symbol in (line.split(maxsplit=2) for line in listing.splitlines()):
             if kind in 'Tt':
-                found[symbol] = name if found.get(symbol, name) == name else None
+                first = found.setdefault(symbol, f'{stage}/{path.name.split(".")[0]}')
+                if first and not first.startswith(f'{stage}/'):
+                    found[symbol] = None
     if not found:
         raise FileNotFoundError(f'{folder}: holds no object files')
     return {symbol: name for symbol, name in found.items() if name}
