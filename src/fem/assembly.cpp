@@ -33,6 +33,7 @@ Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, boo
 }
 
 void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched) {
+  found_at_.clear();
   const std::vector<Part>& parts = mesh_.parts();
   const bool first = corner_start_.empty();
   std::vector<char> is_touched(mesh_.mesh().nodes.size(), first);
