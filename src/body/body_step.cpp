@@ -17,7 +17,8 @@ TetMesh withOrderedElements(TetMesh mesh) {
 DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& descriptions)
     : scene(s),
       mesh(withOrderedElements(std::move(rest)), s.solver.threads),
-      step(mesh, s.body.material, s.body.mass, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver) {
+      step(mesh, s.body.material, s.body.mass, s.body.pressure, s.body.warping, {s.gravity, s.boundary, s.loads},
+           s.solver) {
   if (scene.tool) edge = bladeEdge(*scene.tool, descriptions.tool, scene.tool->description);
   if (scene.contact)
     contact.emplace(*scene.contact, loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles),

@@ -76,13 +76,16 @@ std::string parseFrame(const YamlValue& value) {
 }
 
 BodySettings parseBody(const YamlValue& value, const std::string& folder) {
-  const YamlMap map = value.map({"mesh", "grid", "frame", "material", "warping", "mass"});
+  const YamlMap map = value.map({"mesh", "grid", "frame", "material", "pressure", "warping", "mass"});
   if (map.has("mesh") == map.has("grid")) value.fail("needs a mesh or a grid (allowed: one of the two)");
   BodySettings body;
   if (const auto mesh = map.find("mesh")) body.mesh = parsePath(*mesh, folder);
   if (const auto grid = map.find("grid")) body.grid = parseGrid(*grid);
   if (const auto frame = map.find("frame")) body.frame = parseFrame(*frame);
   if (const auto material = map.find("material")) body.material = parseMaterial(*material);
+  if (const auto pressure = map.find("pressure")) {
+    body.pressure = pressure->choice<Pressure>({{"element", Pressure::ELEMENT}, {"averaged", Pressure::AVERAGED}});
+  }
   if (const auto warping = map.find("warping")) body.warping = warping->boolean();
   if (const auto mass = map.find("mass")) {
     body.mass = mass->choice<Mass>({{"lumped", Mass::LUMPED}, {"consistent", Mass::CONSISTENT}});

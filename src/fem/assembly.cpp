@@ -19,7 +19,8 @@ constexpr double ROUNDINGS = 16;
 
 }  // namespace
 
-Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, bool warping, int threads)
+Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
+                   int threads)
     : mesh_(mesh),
       material_(material),
       mass_(mass),
@@ -30,6 +31,7 @@ Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, boo
   const std::size_t expected = mesh.parts().size() + mesh.parts().size() / 4;
   rotations_.reserve(expected);
   part_forces_.reserve(expected);
+  if (pressure == Pressure::AVERAGED) patches_.emplace(mesh);
 }
 
 void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched) {
@@ -39,6 +41,7 @@ void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int
   std::vector<char> is_touched(mesh_.mesh().nodes.size(), first);
   for (int node : touched) is_touched[node] = 1;
   findCorners(is_touched);
+  if (patches_) patches_->topologyChanged(touched);
 
   const int copies = mesh_.numCopies();
   for (auto* sums : {&masses_, &mass_diagonal_, &stiffness_diagonal_, &force_rounding_}) sums->resize(copies);
@@ -134,16 +137,19 @@ void Assembly::rotate(const std::vector<Vec3>& x) {
 void Assembly::reset() {
   rotations_.clear();
   found_at_.clear();
+  if (patches_) patches_->reset();
   corners_.clear();
   corner_start_.clear();
 }
 
 // K_e is V_e Bᵀ D B, and B acts on R_pᵀ y − X through its gradient R_pᵀ F − I alone: the force on node I is V_p R σ
-// b_I, and the four sum to zero.
+// b_I, and the four sum to zero. With averaged pressure σ holds the mean dilatation θ_a of the part's patch, which is
+// the derivative of Σ_p V_p μ ε:ε + Σ_a V_a ½ λ θ_a², as every θ_p goes into θ_a by its volume.
 void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const {
+  if (patches_) averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
   parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
     const Mat3& R = rotations_[p];
-    const Mat3 stress = corotatedStress(R.transpose() * gradientOf(p, y), material_);
+    const Mat3 stress = stressOf(p, R.transpose() * gradientOf(p, y));
     part_forces_[p].noalias() = (volume(p) * R * stress) * rest_[mesh_.parts()[p].element].b;
   });
   gather(
@@ -152,6 +158,31 @@ void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forc
         return corner.node > 0 ? Vec3(f.col(corner.node - 1)) : Vec3(-f.col(0) - f.col(1) - f.col(2));
       },
       forces);
+}
+
+/// θ_p = tr(R_pᵀ F_p) − 3 of every part, then θ_a = Σ V_p θ_p / V_a of every patch.
+template <typename Rotation>
+void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const {
+  dilatations_.resize(mesh_.parts().size());
+  parallelFor(static_cast<int>(dilatations_.size()), threads_, [&](int p) {
+    const Mat3 F = gradientOf(p, y);
+    dilatations_[p] = rotationOf(p, F).cwiseProduct(F).sum() - 3;
+  });
+  mean_dilatations_.resize(patches_->count());
+  parallelFor(patches_->count(), threads_, [&](int a) {
+    double gained = 0;
+    for (int n = patches_->partStart(a); n < patches_->partStart(a + 1); ++n) {
+      const int p = patches_->parts()[n];
+      gained += volume(p) * dilatations_[p];
+    }
+    mean_dilatations_[a] = gained / patchVolume(a);
+  });
+}
+
+/// With averaged pressure, of the means found last.
+Mat3 Assembly::stressOf(int part, const Mat3& RtF) const {
+  return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], material_)
+                  : corotatedStress(RtF, material_);
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {
@@ -185,19 +216,27 @@ Mat3 Assembly::rotationAt(int part, const Mat3& F) const {
 }
 
 double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
+  if (patches_) averageDilatations(x, [&](int p, const Mat3& F) { return rotationAt(p, F); });
   double energy = 0;
   for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
     const int part = static_cast<int>(p);
     const Mat3 F = gradientOf(part, x), RtF = rotationAt(part, F).transpose() * F;
-    const Mat3 strain = 0.5 * (RtF + RtF.transpose()) - Mat3::Identity();
-    energy += 0.5 * volume(part) * corotatedStress(RtF, material_).cwiseProduct(strain).sum();
+    energy += 0.5 * volume(part) * stressOf(part, RtF).cwiseProduct(corotatedStrain(RtF)).sum();
   }
   return energy;
 }
 
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
   const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
-  return R * corotatedStress(R.transpose() * F, material_) * R.transpose();
+  if (!patches_) return R * corotatedStress(R.transpose() * F, material_) * R.transpose();
+  double gained = 0;
+  const int a = patches_->of(part);
+  for (int n = patches_->partStart(a); n < patches_->partStart(a + 1); ++n) {
+    const int p = patches_->parts()[n];
+    const Mat3 F_p = gradientOf(p, x);
+    gained += volume(p) * (rotationAt(p, F_p).cwiseProduct(F_p).sum() - 3);
+  }
+  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), material_) * R.transpose();
 }
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
@@ -206,12 +245,25 @@ void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) c
   found_at_ = x;
   turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
     found_rotations_[p] = R;
-    (*stress)[p] = R * corotatedStress(R.transpose() * F, material_) * R.transpose();
+    const Mat3 RtF = R.transpose() * F;
+    (*stress)[p] =
+        R * (patches_ ? corotatedStress(RtF, 0, material_) : corotatedStress(RtF, material_)) * R.transpose();
+  });
+  if (!patches_) return;
+  averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return found_rotations_[p]; });
+  parallelFor(static_cast<int>(stress->size()), threads_, [&](int p) {
+    (*stress)[p].diagonal().array() += material_.lambda() * mean_dilatations_[patches_->of(p)];
   });
 }
 
 double Assembly::volume(int part) const {
   return mesh_.parts()[part].fraction * rest_[mesh_.parts()[part].element].volume;
+}
+
+double Assembly::patchVolume(int patch) const {
+  double sum = 0;
+  for (int n = patches_->partStart(patch); n < patches_->partStart(patch + 1); ++n) sum += volume(patches_->parts()[n]);
+  return sum;
 }
 
 Gradients Assembly::rotatedGradients(int part) const {

@@ -87,6 +87,23 @@ void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, in
   }
 }
 
+/// Adds h_i h_jᵀ for all the patches that use the copy of a row.
+template <typename T>
+void addPatches(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
+                T* blocks) {
+  using Column = Eigen::Map<const Eigen::Matrix<T, 3, 1>>;
+  const Patches& patches = *assembly.patches();
+  const int copy = pattern.copies[row];
+  for (int u = patches.useStart(copy); u < patches.useStart(copy + 1); ++u) {
+    const auto& [a, i] = patches.uses()[u];
+    const T* h = &gradients[3 * static_cast<std::size_t>(patches.copyStart(a))];
+    for (int j = 0; j < patches.numCopies(a); ++j)
+      if (const int slot = patchSlotOf(patches, pattern, row, a, i, j); slot >= 0)
+        Eigen::Map<Eigen::Matrix<T, 3, 3>>(blocks + BLOCK_SIZE * slot) +=
+            Column(h + 3 * i) * Column(h + 3 * j).transpose();
+  }
+}
+
 }  // namespace
 
 double diagonalOf(const Assembly& assembly, const SystemFactors& factors, int copy) {
@@ -95,21 +112,19 @@ double diagonalOf(const Assembly& assembly, const SystemFactors& factors, int co
 
 // With g_I = R b_I and S = Σ V_p g_I g_Jᵀ over the parts that hold both copies, the block of K that couples copy I to
 // copy J is
-//   λ S + μ Sᵀ + μ tr(S) I.
+//   λ S + μ Sᵀ + μ tr(S) I,
+// or with averaged pressure, ∇θ_a = Σ V_p g_I / V_a being summed over the corners of patch a that use a copy,
+//   Σ_a λ V_a ∇_I θ_a ∇_J θ_aᵀ + μ Sᵀ + μ tr(S) I.
 // The roots of the weights go into the gradients, so that the two halves of the matrix round alike; the least scale
 // goes with them, to keep all numbers within the range of a float whatever the units.
 template <typename T>
 void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& pattern, const SystemFactors& factors,
                                  const std::vector<double>& scale, std::vector<T>* blocks) {
-  const int parts = static_cast<int>(assembly.mesh().parts().size());
-  const double mu = assembly.material().mu(), least = *std::min_element(scale.begin(), scale.end());
-  resizeWithRoom(12 * static_cast<std::size_t>(parts) + 1, &gradients_);  // a column is read as four
-  parallelFor(parts, assembly.threads(), [&](int p) {
-    const double root = least * std::sqrt(factors.stiffness * assembly.volume(p) * mu);
-    Eigen::Map<Eigen::Matrix<T, 3, 4>> g(&gradients_[12 * static_cast<std::size_t>(p)]);
-    g = (root * assembly.rotatedGradients(p)).template cast<T>();
-  });
-  const T lambda = static_cast<T>(assembly.material().lambda() / mu);
+  const double least = *std::min_element(scale.begin(), scale.end());
+  findGradients(assembly, factors.stiffness, least);
+  const bool averaged = assembly.patches() != nullptr;
+  if (averaged) findPatchGradients(assembly, pattern, factors.stiffness, scale);
+  const T lambda = averaged ? T(0) : static_cast<T>(assembly.material().lambda() / assembly.material().mu());
   resizeWithRoom(BLOCK_SIZE * pattern.column.size() + 1, blocks);  // a column is read as four
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     const int begin = pattern.row_start[row], end = pattern.row_start[row + 1];
@@ -123,10 +138,49 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
       block = lambda * S + S.transpose();
       block.diagonal().array() += S.trace();
     }
+    if (averaged) addPatches(assembly, pattern, row, patch_gradients_, first);
     if (assembly.consistentMass()) return addConsistentMass(assembly, pattern, row, scale, factors.mass, first);
     const double mass = factors.mass * assembly.masses()[pattern.copies[row]] * scale[row] * scale[row];
     T* diagonal = first + BLOCK_SIZE * (pattern.diagonal[row] - begin);
     for (int i = 0; i < 3; ++i) diagonal[4 * i] += static_cast<T>(mass);
+  });
+}
+
+template <typename T>
+void BlockAssembler<T>::findGradients(const Assembly& assembly, double stiffness, double least) {
+  const int parts = static_cast<int>(assembly.mesh().parts().size());
+  const double mu = assembly.material().mu();
+  resizeWithRoom(12 * static_cast<std::size_t>(parts) + 1, &gradients_);  // a column is read as four
+  parallelFor(parts, assembly.threads(), [&](int p) {
+    const double root = least * std::sqrt(stiffness * assembly.volume(p) * mu);
+    Eigen::Map<Eigen::Matrix<T, 3, 4>> g(&gradients_[12 * static_cast<std::size_t>(p)]);
+    g = (root * assembly.rotatedGradients(p)).template cast<T>();
+  });
+}
+
+template <typename T>
+void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const BlockPattern& pattern, double stiffness,
+                                           const std::vector<double>& scale) {
+  const Patches& patches = *assembly.patches();
+  resizeWithRoom(3 * patches.copies().size(), &patch_gradients_);
+  parallelFor(patches.count(), assembly.threads(), [&](int a) {
+    thread_local Eigen::Matrix3Xd h;
+    const int first = patches.copyStart(a), count = patches.numCopies(a);
+    h.setZero(3, count);
+    double volume = 0;
+    for (int n = patches.partStart(a); n < patches.partStart(a + 1); ++n) {
+      const int p = patches.parts()[n];
+      const Gradients g = assembly.rotatedGradients(p);
+      for (int I = 0; I < 4; ++I) h.col(patches.indexOf(n, I)) += assembly.volume(p) * g.col(I);
+      volume += assembly.volume(p);
+    }
+    const double root = std::sqrt(stiffness * assembly.material().lambda() / volume);
+    for (int i = 0; i < count; ++i) {
+      const int row = pattern.row_of[patches.copies()[first + i]];
+      if (row >= 0) h.col(i) *= root * scale[row];
+    }
+    Eigen::Map<Eigen::Matrix<T, 3, Eigen::Dynamic>>(&patch_gradients_[3 * static_cast<std::size_t>(first)], 3, count) =
+        h.template cast<T>();
   });
 }
 

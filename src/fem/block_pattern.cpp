@@ -18,6 +18,28 @@ void forEachCoupling(const Assembly& assembly, const std::vector<int>& row_of, i
   }
 }
 
+/// Calls f(column) for all that the parts round a copy couple it to, or the patches where the pressure is averaged; a
+/// column may come again, and is −1 for a copy that has no row.
+template <typename Function>
+void forEachNeighbour(const Assembly& assembly, const std::vector<int>& row_of, int copy, const Function& f) {
+  const Patches* patches = assembly.patches();
+  if (!patches) return forEachCoupling(assembly, row_of, copy, [&](const Corner&, int, int column) { f(column); });
+  for (int u = patches->useStart(copy); u < patches->useStart(copy + 1); ++u) {
+    const int a = patches->uses()[u].patch;
+    for (int k = patches->copyStart(a); k < patches->copyStart(a + 1); ++k) f(row_of[patches->copies()[k]]);
+  }
+}
+
+/// How often that calls f.
+int countNeighbours(const Assembly& assembly, int copy) {
+  const Patches* patches = assembly.patches();
+  if (!patches) return 4 * (assembly.cornerStart()[copy + 1] - assembly.cornerStart()[copy]);
+  int count = 0;
+  for (int u = patches->useStart(copy); u < patches->useStart(copy + 1); ++u)
+    count += patches->numCopies(patches->uses()[u].patch);
+  return count;
+}
+
 /// A table over the rows, one for each thread, that lives on: it is filled anew, where it is read, for every row.
 std::vector<int>& tableOfRows(int rows) {
   thread_local std::vector<int> table;
@@ -30,14 +52,14 @@ std::vector<int>& tableOfRows(int rows) {
 std::vector<char> staleRows(const Assembly& assembly, const std::vector<int>& touched, const BlockPattern& old,
                             const std::vector<int>& order, const std::vector<int>& row_of) {
   std::vector<char> touched_node(assembly.mesh().mesh().nodes.size(), 0), stale(order.size(), 0);
-  for (int node : touched) touched_node[node] = 1;
+  for (int node : assembly.patches() ? assembly.patches()->nodesBeside(touched) : touched) touched_node[node] = 1;
   for (std::size_t r = 0; r < order.size(); ++r) {
     const int copy = order[r];
     const bool is_new = copy >= static_cast<int>(old.row_of.size()) || old.row_of[copy] < 0;
     if (!is_new && !touched_node[assembly.mesh().copyNode(copy)]) continue;
     stale[r] = 1;
     if (is_new)
-      forEachCoupling(assembly, row_of, copy, [&](const Corner&, int, int column) {
+      forEachNeighbour(assembly, row_of, copy, [&](int column) {
         if (column >= 0) stale[column] = 1;
       });
   }
@@ -61,8 +83,7 @@ Columns findColumns(const Assembly& assembly, const BlockPattern& pattern, const
   int room = 0;
   for (int row = 0; row < pattern.rows(); ++row) {
     found.start[row] = room;
-    const int copy = pattern.copies[row];
-    if (stale[row]) room += 4 * (assembly.cornerStart()[copy + 1] - assembly.cornerStart()[copy]);
+    if (stale[row]) room += countNeighbours(assembly, pattern.copies[row]);
   }
   found.values.resize(room);
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
@@ -70,10 +91,10 @@ Columns findColumns(const Assembly& assembly, const BlockPattern& pattern, const
     std::vector<int>& seen_by = tableOfRows(pattern.rows());
     int *const columns = found.values.data() + found.start[row], *end = columns;
     const int copy = pattern.copies[row];
-    forEachCoupling(assembly, pattern.row_of, copy, [&](const Corner&, int, int column) {
+    forEachNeighbour(assembly, pattern.row_of, copy, [&](int column) {
       if (column >= 0) seen_by[column] = -1;
     });
-    forEachCoupling(assembly, pattern.row_of, copy, [&](const Corner&, int, int column) {
+    forEachNeighbour(assembly, pattern.row_of, copy, [&](int column) {
       if (column < 0 || seen_by[column] == row) return;
       seen_by[column] = row;
       *end++ = column;
@@ -91,6 +112,21 @@ void findSlots(const Assembly& assembly, int row, BlockPattern* pattern) {
   forEachCoupling(assembly, pattern->row_of, pattern->copies[row], [&](const Corner& corner, int J, int column) {
     const int slot = column < 0 ? NO_SLOT : std::min<int>(slot_of[column], NO_SLOT);
     pattern->slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J] = static_cast<std::uint16_t>(slot);
+  });
+}
+
+void findPatchSlots(const Assembly& assembly, BlockPattern* pattern) {
+  const Patches& patches = *assembly.patches();
+  pattern->patch_slots.resize(patches.pairStart(patches.count()));
+  parallelFor(patches.count(), assembly.threads(), [&](int a) {
+    const auto begin = patches.copies().begin() + patches.copyStart(a), end = begin + patches.numCopies(a);
+    auto slot = pattern->patch_slots.begin() + static_cast<std::ptrdiff_t>(patches.pairStart(a));
+    for (auto i = begin; i != end; ++i)
+      for (auto j = begin; j != end; ++j, ++slot) {
+        const int row = pattern->row_of[*i], column = pattern->row_of[*j];
+        *slot = static_cast<std::uint16_t>(
+            row < 0 || column < 0 ? NO_SLOT : std::min<int>(pattern->slotIn(row, column), NO_SLOT));
+      }
   });
 }
 
@@ -137,6 +173,7 @@ void editPattern(const Assembly& assembly, const std::vector<int>& order, const 
     }
     pattern->diagonal[row] = static_cast<int>(std::lower_bound(begin, end, row) - pattern->column.begin());
   });
+  if (assembly.patches()) findPatchSlots(assembly, pattern);
 }
 
 }  // namespace incision

@@ -31,12 +31,12 @@ bool allFinite(const std::vector<Vec3>& values) {
 
 }  // namespace
 
-ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, bool warping,
+ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
                            const BoundaryConditions& conditions, const SolverSettings& settings)
     : mesh_(mesh),
       conditions_(conditions),
       settings_(settings),
-      assembly_(mesh, material, mass, warping, settings.threads),
+      assembly_(mesh, material, mass, pressure, warping, settings.threads),
       solver_(makeLinearSolver(settings, warping)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
 

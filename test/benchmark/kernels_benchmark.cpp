@@ -45,7 +45,7 @@ double bytesOf(const Matrix& matrix) { return BLOCK * static_cast<double>(matrix
 Motion atRest(const std::vector<Vec3>& x) { return {x, std::vector<Vec3>(x.size(), Vec3::Zero())}; }
 
 ImplicitStep makeStep(const Bar& bar, const CutMesh& mesh) {
-  return ImplicitStep(mesh, Material(), Mass::LUMPED, true, bar.conditions,
+  return ImplicitStep(mesh, Material(), Mass::LUMPED, Pressure::ELEMENT, true, bar.conditions,
                       {TIME_STEP, Method::ITERATIVE, 1e-4, THREADS});
 }
 

@@ -44,7 +44,7 @@ TEST(BlockPattern, EditedAfterCutsIsTheOneBuiltAnew) {
   for (int scene = 0; scene < 40; ++scene) {
     CutMesh mesh(block({4, 3, 2}, Vec3::Ones()));
     const std::vector<Vec3> x = restPositions(mesh);
-    Assembly assembly(mesh, {}, Mass::LUMPED, true, 2);
+    Assembly assembly(mesh, {}, Mass::LUMPED, Pressure::ELEMENT, true, 2);
     assembly.topologyChanged(x);
     BlockPattern edited;
     std::vector<int> touched;
@@ -83,7 +83,7 @@ TEST(BlockPattern, TakesRowsOfAnyWidth) {
   for (auto& e : fan.elements)
     if (sixVolumes(fan.nodes[e[0]], fan.nodes[e[1]], fan.nodes[e[2]], fan.nodes[e[3]]) < 0) std::swap(e[2], e[3]);
   const CutMesh mesh(fan);
-  Assembly assembly(mesh, {}, Mass::LUMPED, true, 1);
+  Assembly assembly(mesh, {}, Mass::LUMPED, Pressure::ELEMENT, true, 1);
   assembly.topologyChanged(restPositions(mesh));
   BlockPattern pattern;
   findPattern(assembly, allCopies(mesh), &pattern);
@@ -96,13 +96,13 @@ TEST(BlockPattern, TakesRowsOfAnyWidth) {
 
 TEST(Assembly, EditedAfterCutsIsTheOneBuiltAnew) {
   Rig rig(block({4, 3, 2}, Vec3::Ones()), {});
-  Assembly edited(rig.mesh, {}, Mass::CONSISTENT, true, 2);
+  Assembly edited(rig.mesh, {}, Mass::CONSISTENT, Pressure::ELEMENT, true, 2);
   edited.topologyChanged(rig.motion.x);
   for (int k = 0; k < 5; ++k) {
     const Insertion done = rig.cut(plane(Vec3(0.2 * k + 0.13, 0.4, 0.5), Vec3(1, 0.3 * k, 0.2 - 0.1 * k)));
     ASSERT_TRUE(done.changed());
     edited.topologyChanged(rig.motion.x, done.touched);
-    Assembly anew(rig.mesh, {}, Mass::CONSISTENT, true, 1);
+    Assembly anew(rig.mesh, {}, Mass::CONSISTENT, Pressure::ELEMENT, true, 1);
     anew.topologyChanged(rig.motion.x);
     EXPECT_EQ(edited.cornerStart(), anew.cornerStart());
     for (std::size_t i = 0; i < anew.corners().size(); ++i) {

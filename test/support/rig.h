@@ -81,6 +81,7 @@ inline std::vector<int> allCopies(const CutMesh& mesh) {
 struct RigSettings {
   Material material;
   Mass mass = Mass::LUMPED;
+  Pressure pressure = Pressure::ELEMENT;
   bool warping = true;
   BoundaryConditions conditions;
   SolverSettings solver = {0.01, Method::DIRECT, 1e-6, 1};
@@ -91,7 +92,8 @@ class Rig {
  public:
   Rig(TetMesh rest, const RigSettings& settings)
       : mesh(std::move(rest)),
-        step(mesh, settings.material, settings.mass, settings.warping, settings.conditions, settings.solver),
+        step(mesh, settings.material, settings.mass, settings.pressure, settings.warping, settings.conditions,
+             settings.solver),
         time_step(settings.solver.time_step) {
     motion.x = restPositions(mesh);
     motion.v.assign(motion.x.size(), Vec3::Zero());

@@ -10,6 +10,7 @@
 #include "incision/fem/boundary.h"
 #include "incision/fem/mass.h"
 #include "incision/fem/material.h"
+#include "incision/fem/pressure.h"
 #include "incision/fracture/settings.h"
 #include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/mesh_io.h"
@@ -29,6 +30,7 @@ struct BodySettings {
   Material material;
   bool warping = true;
   Mass mass = Mass::LUMPED;
+  Pressure pressure = Pressure::ELEMENT;
 };
 
 /// Longest label of a cut, in bytes of UTF-8: labels go into reports and logs, where a line must stay a line.

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "incision/cut/cut_mesh.h"
 #include "incision/fem/linear_tet.h"
 #include "incision/fem/mass.h"
 #include "incision/fem/material.h"
+#include "incision/fem/patches.h"
+#include "incision/fem/pressure.h"
 
 namespace incision {
 
@@ -18,7 +21,7 @@ struct Corner {
 class Assembly {
  public:
   /// `mesh` must outlive this. With `warping` false every rotation is the identity.
-  Assembly(const CutMesh& mesh, const Material& material, Mass mass, bool warping, int threads);
+  Assembly(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping, int threads);
 
   /// Takes over the mesh's parts and copies, of which those round the nodes `touched` have changed; the first call
   /// takes all. New parts get their rotation from the positions `x` [m].
@@ -49,15 +52,19 @@ class Assembly {
   bool warping() const { return warping_; }
   bool consistentMass() const { return mass_ == Mass::CONSISTENT; }
   int threads() const { return threads_; }
+  /// What shares a dilatation where the pressure is averaged, else null.
+  const Patches* patches() const { return patches_ ? &*patches_ : nullptr; }
 
   /// ρ Σ_p ∫ N_c dX [kg] of every copy: the lumped mass, and the row sums of the consistent one.
   const std::vector<double>& masses() const { return masses_; }
   /// Bound on the rounding of elasticForces at each copy, by the largest coordinate of y [N/m].
   const std::vector<double>& forceRounding() const { return force_rounding_; }
-  /// A third of the trace of each copy's block on the diagonal of M [kg] and of K [N/m]; turning changes neither.
+  /// A third of the trace of each copy's block on the diagonal of M [kg] and of K [N/m]; turning changes neither. With
+  /// averaged pressure that of K is what it would be without, which is more.
   const std::vector<double>& massDiagonal() const { return consistentMass() ? mass_diagonal_ : masses_; }
   const std::vector<double>& stiffnessDiagonal() const { return stiffness_diagonal_; }
   double volume(int part) const;                     ///< V_p [m³]
+  double patchVolume(int patch) const;               ///< Σ V_p over the parts of a patch [m³]
   Gradients rotatedGradients(int part) const;        ///< g_I = R_p b_I [1/m]
   double massProduct(int part, int I, int J) const;  ///< ρ ∫_p N_I N_J dX [kg]
 
@@ -70,6 +77,9 @@ class Assembly {
   Mat3 rotationAt(int part, const Mat3& F) const;
   template <typename Function>
   void turnAll(const std::vector<Vec3>& x, const Function& f) const;
+  template <typename Rotation>
+  void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
+  Mat3 stressOf(int part, const Mat3& RtF) const;
   template <typename Function>
   void gather(const Function& atCorner, std::vector<Vec3>* result) const;
   void findCorners(const std::vector<char>& touched);
@@ -80,6 +90,7 @@ class Assembly {
   Mass mass_;
   bool warping_;
   int threads_;
+  std::optional<Patches> patches_;
   std::vector<RestElement> rest_;
   std::vector<Mat3> rotations_;
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
@@ -89,6 +100,7 @@ class Assembly {
   mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
   mutable std::vector<Mat3> part_forces_;        // on nodes 1 to 3 of each part; scratch of elasticForces
   mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass
+  mutable std::vector<double> dilatations_, mean_dilatations_;  // of parts and patches; scratch of averaged pressure
 };
 
 }  // namespace incision

@@ -28,7 +28,12 @@ class BlockAssembler {
                 const std::vector<double>& scale, std::vector<T>* blocks);
 
  private:
-  std::vector<T> gradients_;  // √(stiffness V_p μ) R_p b_I of every part, twelve each
+  void findGradients(const Assembly& assembly, double stiffness, double least);
+  void findPatchGradients(const Assembly& assembly, const BlockPattern& pattern, double stiffness,
+                          const std::vector<double>& scale);
+
+  std::vector<T> gradients_;        // √(stiffness V_p μ) R_p b_I of every part, twelve each
+  std::vector<T> patch_gradients_;  // √(stiffness λ V_a) s ∇θ_a of every copy of every patch, three each
 };
 
 /// Three floats and padding, for vector registers.

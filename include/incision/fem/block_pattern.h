@@ -8,8 +8,9 @@
 
 namespace incision {
 
-/// Which copies are free, in the order in which the system numbers them, and which pairs of them a part couples. Every
-/// row stands by itself, so a cut changes the rows beside it and shifts the others.
+/// Which copies are free, in the order in which the system numbers them, and which pairs of them a part couples, or a
+/// patch where the pressure is averaged. Every row stands by itself, so a cut changes the rows beside it and shifts the
+/// others.
 struct BlockPattern {
   std::vector<int> copies;     ///< copy of each row
   std::vector<int> row_of;     ///< row of each copy, −1 when it has none
@@ -21,8 +22,15 @@ struct BlockPattern {
   /// J, counted from the row's first. NO_SLOT where corner J has no row, or where that is too far to be told; without
   /// meaning where corner I has no row.
   std::vector<std::uint16_t> slots;
+  /// The same for pairs of copies of a patch, as Patches counts them.
+  std::vector<std::uint16_t> patch_slots;
 
   int rows() const { return static_cast<int>(copies.size()); }
+  /// Where a column of a row stands, counted from the row's first.
+  int slotIn(int row, int col) const {
+    const auto begin = column.begin() + row_start[row], end = column.begin() + row_start[row + 1];
+    return static_cast<int>(std::lower_bound(begin, end, col) - begin);
+  }
 };
 
 inline constexpr std::uint16_t NO_SLOT = 65535;
@@ -32,9 +40,15 @@ inline int slotOf(const Assembly& assembly, const BlockPattern& pattern, int row
   const std::uint16_t slot = pattern.slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J];
   if (slot != NO_SLOT) return slot;
   const int column = pattern.row_of[assembly.mesh().parts()[corner.part].copies[J]];
-  if (column < 0) return -1;
-  const auto begin = pattern.column.begin() + pattern.row_start[row];
-  return static_cast<int>(std::lower_bound(begin, pattern.column.begin() + pattern.row_start[row + 1], column) - begin);
+  return column < 0 ? -1 : pattern.slotIn(row, column);
+}
+
+/// What patch_slots means for copies i and j of a patch, of which i is that of the row; −1 where j has no row.
+inline int patchSlotOf(const Patches& patches, const BlockPattern& pattern, int row, int patch, int i, int j) {
+  const std::uint16_t slot = pattern.patch_slots[patches.pairStart(patch) + i * patches.numCopies(patch) + j];
+  if (slot != NO_SLOT) return slot;
+  const int column = pattern.row_of[patches.copies()[patches.copyStart(patch) + j]];
+  return column < 0 ? -1 : pattern.slotIn(row, column);
 }
 
 /// Finds the pattern whose rows are the copies listed in `order`.

@@ -32,10 +32,18 @@ inline Mat3 gradient(const Vec3& y0, const Vec3& y1, const Vec3& y2, const Vec3&
          (y3 - y0) * rest.b.col(2).transpose();
 }
 
-/// Stress [Pa] in the unrotated frame for RᵀF: σ = λ tr(ε) I + 2 μ ε, ε = sym(RᵀF) − I.
+/// ε = sym(RᵀF) − I.
+inline Mat3 corotatedStrain(const Mat3& RtF) { return 0.5 * (RtF + RtF.transpose()) - Mat3::Identity(); }
+
+/// Stress [Pa] in the unrotated frame for RᵀF: σ = λ tr(ε) I + 2 μ ε.
 inline Mat3 corotatedStress(const Mat3& RtF, const Material& material) {
-  const Mat3 strain = 0.5 * (RtF + RtF.transpose()) - Mat3::Identity();
+  const Mat3 strain = corotatedStrain(RtF);
   return material.lambda() * strain.trace() * Mat3::Identity() + 2 * material.mu() * strain;
+}
+
+/// The same with another dilatation θ than the element's own: σ = λ θ I + 2 μ ε.
+inline Mat3 corotatedStress(const Mat3& RtF, double dilatation, const Material& material) {
+  return material.lambda() * dilatation * Mat3::Identity() + 2 * material.mu() * corotatedStrain(RtF);
 }
 
 }  // namespace incision

@@ -30,7 +30,7 @@ struct StepTimes {
 ///   (M + Δt C + Δt² K) Δv = Δt (f_ext − C v − f_int − Δt K v),  v += Δv,  x += Δt v,  C = α M + β K.
 class ImplicitStep {
  public:
-  ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, bool warping,
+  ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
                const BoundaryConditions& conditions, const SolverSettings& settings);
 
   /// Before the first step, and after every cut with the nodes round which it changed parts or copies.

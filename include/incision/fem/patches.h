@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+
+namespace incision {
+
+/// Sets of elements round an edge each, some six: the cell of a grid, for one. Returns the cluster of every element.
+/// Edges that most elements surround come first, long ones before short ones; what is left over joins its smallest
+/// neighbour.
+std::vector<int> edgeClusters(const TetMesh& mesh, const MeshTopology& topology);
+
+/// Patches of parts that share one mean dilatation. A linear tetrahedron has one for itself, more of them than a body
+/// has freedoms to change its volume by, so tissue of ν near 0.5 locks; a patch has about as many as there are nodes.
+///
+/// A patch is what hangs together of the parts in one cluster of elements: a crack between them makes two of it.
+class Patches {
+ public:
+  /// A patch that uses a copy, as its copy number `index`.
+  struct Use {
+    int patch, index;
+  };
+
+  /// `mesh` must outlive this.
+  explicit Patches(const CutMesh& mesh);
+
+  /// Takes over the mesh's parts and copies, of which those round the nodes `touched` have changed; the first call
+  /// takes all.
+  void topologyChanged(const std::vector<int>& touched);
+  /// Forgets what it took over.
+  void reset() { patch_of_.clear(); }
+
+  int count() const { return static_cast<int>(part_start_.size()) - 1; }
+  int of(int part) const { return patch_of_[part]; }
+  /// The parts of patch a: parts()[partStart(a)] … parts()[partStart(a + 1) − 1].
+  int partStart(int patch) const { return part_start_[patch]; }
+  const std::vector<int>& parts() const { return parts_; }
+  /// The copies that they use, in the same way.
+  int copyStart(int patch) const { return copy_start_[patch]; }
+  const std::vector<int>& copies() const { return copies_; }
+  int numCopies(int patch) const { return copy_start_[patch + 1] - copy_start_[patch]; }
+  /// Which of its patch's copies corner I of parts()[n] uses.
+  int indexOf(int n, int I) const { return corner_index_[4 * n + I]; }
+  /// Pairs of copies of all patches before this one; pair (i, j) of patch a is pairStart(a) + i numCopies(a) + j.
+  std::size_t pairStart(int patch) const { return pair_start_[patch]; }
+
+  /// The patches that use copy c: uses()[useStart(c)] … uses()[useStart(c + 1) − 1].
+  int useStart(int copy) const { return use_start_[copy]; }
+  const std::vector<Use>& uses() const { return uses_; }
+
+  /// The nodes of all clusters that have one of the nodes `touched`.
+  std::vector<int> nodesBeside(const std::vector<int>& touched) const;
+
+ private:
+  std::vector<int> clustersAt(const std::vector<int>& nodes) const;
+  void divide(int cluster);
+  void listParts();
+  void listCopies();
+  void listUses();
+
+  const CutMesh& mesh_;
+  std::vector<int> cluster_of_;                // of each element
+  std::vector<int> element_start_, elements_;  // of each cluster
+  std::vector<int> patch_of_;                  // of each part
+  int patches_ = 0;
+  std::vector<int> part_start_, parts_, corner_index_, copy_start_, copies_;
+  std::vector<std::size_t> pair_start_;
+  std::vector<int> use_start_;
+  std::vector<Use> uses_;
+};
+
+}  // namespace incision

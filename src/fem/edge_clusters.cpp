@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <array>
+
+#include "incision/fem/patches.h"
+
+namespace incision {
+namespace {
+
+/// Fewer elements round an edge do not make a cluster of their own.
+constexpr int LEAST = 3;
+
+/// An edge and the elements round it: elements[start] … elements[end − 1].
+struct Edge {
+  double length;
+  int start, end;
+};
+
+/// All edges, the longest first; `elements` gets what they refer to.
+std::vector<Edge> edgesByLength(const TetMesh& mesh, std::vector<int>* elements) {
+  std::vector<std::array<int, 3>> sides;  // two nodes and an element
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e)
+    for (const auto& [i, j] : EDGE_NODES) {
+      const auto [low, high] = std::minmax(mesh.elements[e][i], mesh.elements[e][j]);
+      sides.push_back({low, high, e});
+    }
+  std::sort(sides.begin(), sides.end());
+  std::vector<Edge> edges;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const auto& [i, j, e] = sides[k];
+    if (k == 0 || sides[k - 1][0] != i || sides[k - 1][1] != j)
+      edges.push_back({(mesh.nodes[i] - mesh.nodes[j]).norm(), static_cast<int>(k), 0});
+    edges.back().end = static_cast<int>(k) + 1;
+    elements->push_back(e);
+  }
+  std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.length > b.length; });
+  return edges;
+}
+
+/// Gives every element that has no cluster to its smallest neighbour, until all have one.
+void giveAwayRest(const MeshTopology& topology, std::vector<int> size, std::vector<int>* cluster_of) {
+  for (bool any = true; any;) {
+    any = false;
+    for (std::size_t e = 0; e < cluster_of->size(); ++e) {
+      if ((*cluster_of)[e] >= 0) continue;
+      int smallest = -1;
+      for (int other : topology.neighbours[e]) {
+        const int cluster = other < 0 ? -1 : (*cluster_of)[other];
+        if (cluster >= 0 && (smallest < 0 || size[cluster] < size[smallest])) smallest = cluster;
+      }
+      if (smallest < 0) continue;
+      (*cluster_of)[e] = smallest;
+      ++size[smallest];
+      any = true;
+    }
+  }
+  for (int& cluster : *cluster_of)
+    if (cluster < 0) {
+      cluster = static_cast<int>(size.size());
+      size.push_back(1);
+    }
+}
+
+}  // namespace
+
+std::vector<int> edgeClusters(const TetMesh& mesh, const MeshTopology& topology) {
+  std::vector<int> elements, cluster_of(mesh.elements.size(), -1), size;
+  const std::vector<Edge> edges = edgesByLength(mesh, &elements);
+  const auto countFree = [&](const Edge& edge) {
+    int count = 0;
+    for (int k = edge.start; k < edge.end; ++k) count += cluster_of[elements[k]] < 0;
+    return count;
+  };
+  int most = 0;
+  for (const Edge& edge : edges) most = std::max(most, edge.end - edge.start);
+  for (int wanted = most; wanted >= LEAST; --wanted)
+    for (const Edge& edge : edges) {
+      if (edge.end - edge.start < wanted || countFree(edge) < wanted) continue;
+      for (int k = edge.start; k < edge.end; ++k)
+        if (int& cluster = cluster_of[elements[k]]; cluster < 0) cluster = static_cast<int>(size.size());
+      size.push_back(wanted);
+    }
+  giveAwayRest(topology, size, &cluster_of);
+  return cluster_of;
+}
+
+}  // namespace incision
