@@ -9,6 +9,9 @@ namespace {
 /// Fewer elements round an edge do not make a cluster of their own.
 constexpr int LEAST = 3;
 
+/// A cluster has no more: its cost grows with the square. Meshes in use have up to ten elements round an edge.
+constexpr int MOST = 12;
+
 /// An edge and the elements round it: elements[start] … elements[end − 1].
 struct Edge {
   double length;
@@ -36,7 +39,7 @@ std::vector<Edge> edgesByLength(const TetMesh& mesh, std::vector<int>* elements)
   return edges;
 }
 
-/// Gives every element that has no cluster to its smallest neighbour, until all have one.
+/// Gives every element that has no cluster to its smallest neighbour; where all are full it is one by itself.
 void giveAwayRest(const MeshTopology& topology, std::vector<int> size, std::vector<int>* cluster_of) {
   for (bool any = true; any;) {
     any = false;
@@ -45,7 +48,7 @@ void giveAwayRest(const MeshTopology& topology, std::vector<int> size, std::vect
       int smallest = -1;
       for (int other : topology.neighbours[e]) {
         const int cluster = other < 0 ? -1 : (*cluster_of)[other];
-        if (cluster >= 0 && (smallest < 0 || size[cluster] < size[smallest])) smallest = cluster;
+        if (cluster >= 0 && size[cluster] < (smallest < 0 ? MOST : size[smallest])) smallest = cluster;
       }
       if (smallest < 0) continue;
       (*cluster_of)[e] = smallest;
@@ -70,11 +73,9 @@ std::vector<int> edgeClusters(const TetMesh& mesh, const MeshTopology& topology)
     for (int k = edge.start; k < edge.end; ++k) count += cluster_of[elements[k]] < 0;
     return count;
   };
-  int most = 0;
-  for (const Edge& edge : edges) most = std::max(most, edge.end - edge.start);
-  for (int wanted = most; wanted >= LEAST; --wanted)
+  for (int wanted = MOST; wanted >= LEAST; --wanted)
     for (const Edge& edge : edges) {
-      if (edge.end - edge.start < wanted || countFree(edge) < wanted) continue;
+      if (edge.end - edge.start < wanted || countFree(edge) != wanted) continue;
       for (int k = edge.start; k < edge.end; ++k)
         if (int& cluster = cluster_of[elements[k]]; cluster < 0) cluster = static_cast<int>(size.size());
       size.push_back(wanted);

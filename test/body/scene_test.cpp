@@ -60,6 +60,7 @@ body:
   grid: {cells: [16, 4, 2], size: [1, 0.25, 0.5], origin: [-1, 2, 3]}
   frame: liver
   material: {young_modulus: 2e4, poisson_ratio: 0.3, density: 1050, mass_damping: 0.5, stiffness_damping: 0.01}
+  pressure: averaged
   warping: false
   mass: consistent
 gravity: [1, 2, 3]
@@ -82,6 +83,7 @@ tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0,
   EXPECT_EQ(scene.body.material.density, 1050);
   EXPECT_EQ(scene.body.material.mass_damping, 0.5);
   EXPECT_EQ(scene.body.material.stiffness_damping, 0.01);
+  EXPECT_EQ(scene.body.pressure, Pressure::AVERAGED);
   EXPECT_FALSE(scene.body.warping);
   EXPECT_EQ(scene.body.mass, Mass::CONSISTENT);
   EXPECT_EQ(scene.gravity, Vec3(1, 2, 3));
@@ -210,6 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
                       inBody("grid: {cells: [1, 1, 1]}, frame: /body", "body.frame"),
                       inBody("grid: {cells: [1, 1, 1]}, warping: maybe", "body.warping"),
                       inBody("grid: {cells: [1, 1, 1]}, mass: heavy", "body.mass"),
+                      inBody("grid: {cells: [1, 1, 1]}, pressure: high", "body.pressure"),
                       inScene("friction: 0.3", "friction: unknown key"), inScene("gravity: -9.81", "gravity"),
                       inScene("boundary: {box: 1}", "boundary"),
                       inScene("boundary: [{velocity: [0, 0, 0]}]", "boundary.0"),

@@ -31,13 +31,17 @@ struct Jumble {
     return settings;
   }
   Rig rig;
-  Assembly assembly{rig.mesh, TISSUE, rig.step.assembly().consistentMass() ? Mass::CONSISTENT : Mass::LUMPED,
-                    rig.step.assembly().warping(), 1};
+  Assembly assembly{rig.mesh,
+                    TISSUE,
+                    rig.step.assembly().consistentMass() ? Mass::CONSISTENT : Mass::LUMPED,
+                    Pressure::ELEMENT,
+                    rig.step.assembly().warping(),
+                    1};
 };
 
 TEST(ElasticForces, AreTheSlopeOfTheEnergy) {
   for (const bool warping : {true, false}) {
-    Jumble jumble(Mass::LUMPED, Pressure::ELEMENT, warping, 0.05);
+    Jumble jumble(Mass::LUMPED, warping, 0.05);
     std::vector<Vec3> x = jumble.rig.motion.x, forces;
     jumble.assembly.elasticForces(x, &forces);
     const double h = 1e-6;
@@ -56,7 +60,7 @@ TEST(ElasticForces, AreTheSlopeOfTheEnergy) {
 }
 
 TEST(ElasticForces, HaveNoSumAndNoMoment) {
-  Jumble jumble(Mass::LUMPED, Pressure::ELEMENT, true, 0.05);
+  Jumble jumble(Mass::LUMPED, true, 0.05);
   std::vector<Vec3> forces;
   jumble.assembly.elasticForces(jumble.rig.motion.x, &forces);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
@@ -69,7 +73,7 @@ TEST(ElasticForces, HaveNoSumAndNoMoment) {
 }
 
 TEST(ElasticForces, AreAffineWithTheRotationsFixed) {
-  Jumble jumble(Mass::LUMPED, Pressure::ELEMENT, true, 0.05);
+  Jumble jumble(Mass::LUMPED, true, 0.05);
   const std::vector<Vec3>& x = jumble.rig.motion.x;
   const std::vector<Vec3> v = randomVectors(x.size(), 1, 5);
   std::vector<Vec3> y = x, at_x, at_y, at_middle;
@@ -83,7 +87,7 @@ TEST(ElasticForces, AreAffineWithTheRotationsFixed) {
 }
 
 TEST(Masses, SumToTheBodyAndArePositive) {
-  const Jumble jumble(Mass::LUMPED, Pressure::ELEMENT, true, 0);
+  const Jumble jumble(Mass::LUMPED, true, 0);
   double sum = 0;
   for (double mass : jumble.assembly.masses()) {
     EXPECT_GT(mass, 0);
@@ -93,7 +97,7 @@ TEST(Masses, SumToTheBodyAndArePositive) {
 }
 
 TEST(Masses, LumpedOnesAreTheRowSumsOfTheConsistent) {
-  const Jumble lumped(Mass::LUMPED, Pressure::ELEMENT, true, 0), consistent(Mass::CONSISTENT, true, 0);
+  const Jumble lumped(Mass::LUMPED, true, 0), consistent(Mass::CONSISTENT, true, 0);
   const std::vector<Vec3> ones(lumped.rig.motion.x.size(), Vec3::Ones());
   std::vector<Vec3> by_lumped, by_consistent;
   lumped.assembly.multiplyMass(ones, &by_lumped);
@@ -107,7 +111,7 @@ TEST(Masses, LumpedOnesAreTheRowSumsOfTheConsistent) {
 
 // Σ_c Σ_d x_c M_cd x_d = ∫ ρ |x|² dX, here with x = X: 1/3 ρ V (a² + b² + c²).
 TEST(Masses, ConsistentOnesIntegrateTheSecondMomentExactly) {
-  Jumble jumble(Mass::CONSISTENT, Pressure::ELEMENT, true, 0);
+  Jumble jumble(Mass::CONSISTENT, true, 0);
   std::vector<Vec3> MX;
   const std::vector<Vec3> X = restPositions(jumble.rig.mesh);
   jumble.assembly.multiplyMass(X, &MX);
@@ -118,7 +122,7 @@ TEST(Masses, ConsistentOnesIntegrateTheSecondMomentExactly) {
 }
 
 TEST(Stress, TurnsWithThePart) {
-  Jumble jumble(Mass::LUMPED, Pressure::ELEMENT, true, 0);
+  Jumble jumble(Mass::LUMPED, true, 0);
   const Mat3 R = Eigen::AngleAxisd(2, Vec3(1, 2, -1).normalized()).toRotationMatrix();
   const Vec3 stretch(1.02, 1 - 0.02 * 0.4, 1 - 0.02 * 0.4);
   for (std::size_t c = 0; c < jumble.rig.motion.x.size(); ++c)
@@ -130,7 +134,7 @@ TEST(Stress, TurnsWithThePart) {
 
 TEST(Stress, OfAllPartsIsThatOfEach) {
   for (const bool warping : {true, false}) {
-    const Jumble jumble(Mass::LUMPED, Pressure::ELEMENT, warping, 0.05);
+    const Jumble jumble(Mass::LUMPED, warping, 0.05);
     std::vector<Mat3> all;
     jumble.assembly.stresses(jumble.rig.motion.x, &all);
     ASSERT_EQ(all.size(), jumble.rig.mesh.parts().size());

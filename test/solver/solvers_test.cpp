@@ -17,12 +17,14 @@ struct Case {
   double time_step = 0.01;
   std::vector<PlaneCut> cuts = {};
   double size = 0.125;  // radius of gyration of the smallest piece, where mass knows it; else an element's [m]
+  Pressure pressure = Pressure::ELEMENT;
 };
 
 RigSettings settingsOf(const Case& of, Method method) {
   RigSettings settings;
   settings.material = of.material;
   settings.mass = of.mass;
+  settings.pressure = of.pressure;
   settings.solver = {of.time_step, method, 1e-8, 1};
   settings.conditions.gravity = Vec3(0, 0, -9.81);
   settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
@@ -132,6 +134,15 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"Stiff1e9", {1e9, 0.3, 1000, 0, 0}, Mass::LUMPED, 0.01, {HALVES}},
                       Case{"Stiff1e12", {1e12, 0.3, 1000, 0, 0}, Mass::LUMPED, 0.01, {HALVES}},
                       Case{"Incompressible", {1e5, 0.4999, 1000, 0, 0}, Mass::LUMPED, 0.01, {HALVES}},
+                      Case{"Averaged", SOFT, Mass::LUMPED, 0.01, {SLIT, FRAGMENT}, 0.125, Pressure::AVERAGED},
+                      Case{"AveragedShreds", SOFT, Mass::CONSISTENT, 0.01, shreds(), 0.125, Pressure::AVERAGED},
+                      Case{"AveragedIncompressible",
+                           {1e5, 0.4999, 1000, 0, 0},
+                           Mass::LUMPED,
+                           0.01,
+                           {HALVES},
+                           0.125,
+                           Pressure::AVERAGED},
                       Case{"ShortStep", SOFT, Mass::LUMPED, 1e-5, {HALVES, FRAGMENT}},
                       Case{"LongStep", {1e5, 0.4, 1000, 1, 0}, Mass::LUMPED, 1, {SLIT}}),
     caseName);
