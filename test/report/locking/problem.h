@@ -16,7 +16,7 @@ inline constexpr double YOUNG_MODULUS = 1e5;  ///< [Pa]; errors do not depend on
 struct Problem {
   std::string name;
   Vec3 size, origin;              ///< of the box [m]
-  std::array<int, 3> cells;       ///< of the coarsest grid
+  std::array<int, 3> cells;       ///< of the coarsest grid: cubes
   std::array<bool, 3> symmetric;  ///< to the plane through 0 across each axis
   int axis;
   std::vector<Hold> holds;  ///< velocities are displacements [m]
@@ -25,6 +25,8 @@ struct Problem {
   /// Whether a plate presses and its force is asked; else the displacement along the load, its mean over the load.
   bool plate() const { return loads.empty(); }
   TetMesh grid(int refinement) const;
+  /// About as many elements as the grid has, by Gmsh, which must be installed. Throws std::runtime_error when it fails.
+  TetMesh unstructured(int refinement) const;
 };
 
 /// Bent by a shear traction on its end.
@@ -33,5 +35,8 @@ Problem cantilever();
 Problem heldBlock();
 /// On a plate that it sticks to, pressed evenly on a quarter of its top.
 Problem pressedBlock();
+
+/// A cantilever of half the depth: what is left of the first, on either side, when a plane has split it.
+Problem halfCantilever();
 
 }  // namespace incision::report

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
-#include <stdexcept>
+
+#include "report/locking/folder.h"
 
 namespace incision::report {
 namespace {
@@ -28,7 +27,8 @@ class Bricks {
     for (int a = 0; a < 3; ++a) {
       length_[a] = problem.symmetric[a] ? problem.size[a] / 2 : problem.size[a];
       if (problem.symmetric[a]) origin_[a] = 0;
-      cells_[a] = std::max(4, 2 * static_cast<int>(std::lround(along_longest * length_[a] / problem.size.maxCoeff() / 2)));
+      cells_[a] =
+          std::max(4, 2 * static_cast<int>(std::lround(along_longest * length_[a] / problem.size.maxCoeff() / 2)));
     }
     for (int i = 0; i < cells_[0]; ++i)
       for (int j = 0; j < cells_[1]; ++j)
@@ -38,7 +38,9 @@ class Bricks {
 
   void write(std::ostream& out, double poisson_ratio) const;
   /// How often the part that is modelled fits into the box.
-  double copies() const { return std::pow(2.0, std::count(problem_.symmetric.begin(), problem_.symmetric.end(), true)); }
+  double copies() const {
+    return std::pow(2.0, std::count(problem_.symmetric.begin(), problem_.symmetric.end(), true));
+  }
   const std::map<int, double>& loads() const { return loads_; }
 
  private:
@@ -83,8 +85,8 @@ void Bricks::findLoads() {
       middle[b] = 2 * i + 1;
       middle[c] = 2 * j + 1;
       if (!problem_.loads[0].box.contains(position(middle))) continue;
-      const double area = (coordinate(b, 2 * i + 2) - coordinate(b, 2 * i)) *
-                          (coordinate(c, 2 * j + 2) - coordinate(c, 2 * j));
+      const double area =
+          (coordinate(b, 2 * i + 2) - coordinate(b, 2 * i)) * (coordinate(c, 2 * j + 2) - coordinate(c, 2 * j));
       for (int s = -1; s <= 1; ++s)
         for (int t = -1; t <= 1; ++t) {
           Index place = middle;
@@ -99,8 +101,8 @@ void Bricks::writeHolds(std::ostream& out) const {
   out << "*BOUNDARY\n";
   for (const auto& [place, node] : node_of_) {
     const Vec3 X = position(place);
-    const auto hold = std::find_if(problem_.holds.begin(), problem_.holds.end(),
-                                   [&](const Hold& h) { return h.box.contains(X); });
+    const auto hold =
+        std::find_if(problem_.holds.begin(), problem_.holds.end(), [&](const Hold& h) { return h.box.contains(X); });
     for (int a = 0; a < 3; ++a)
       if (hold != problem_.holds.end())
         out << node << ',' << a + 1 << ',' << a + 1 << ',' << hold->velocity[a] << '\n';
@@ -154,16 +156,12 @@ std::map<int, Vec3> readNodes(const std::string& path) {
 
 double reference(const Problem& problem, double poisson_ratio, int cells) {
   const Bricks bricks(problem, cells);
-  char folder[] = "/tmp/incision_ccx_XXXXXX";
-  if (!mkdtemp(folder)) throw std::runtime_error("no folder for ccx");
-  const std::string name = std::string(folder) + "/box";
-  std::ofstream input(name + ".inp");
+  const Folder folder;
+  std::ofstream input(folder.file("box.inp"));
   bricks.write(input, poisson_ratio);
   input.close();
-  if (std::system(("ccx -i " + name + " > " + name + ".log 2>&1").c_str()) != 0)
-    throw std::runtime_error("ccx has failed, or is not installed");
-  const std::map<int, Vec3> values = readNodes(name + ".dat");
-  std::filesystem::remove_all(folder);
+  folder.run("cd " + folder.file("") + " && ccx -i box");
+  const std::map<int, Vec3> values = readNodes(folder.file("box.dat"));
   double sum = 0, area = 0;
   if (problem.plate()) {
     for (const auto& [node, force] : values) sum += force[problem.axis];

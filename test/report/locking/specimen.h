@@ -1,0 +1,35 @@
+#pragma once
+
+#include "report/locking/problem.h"
+#include "support/rig.h"
+
+namespace incision::report {
+
+/// The body of a problem, at rest under its load.
+class Specimen : public Rig {
+ public:
+  Specimen(const Problem& problem, TetMesh rest, double poisson_ratio, Pressure pressure,
+           const std::vector<PlaneCut>& cuts = {});
+
+  /// What the problem asks [m or N].
+  double answer() const;
+  int freedoms() const { return 3 * static_cast<int>(freeCopies().size()); }
+  /// Blocks in the matrix.
+  int blocks() const;
+
+ private:
+  Problem problem_;
+};
+
+/// What a step takes of the same body in motion: warped, under ten times the load, in steps of 0.01 s.
+struct StepCost {
+  double milliseconds, iterations;  ///< medians
+};
+StepCost stepCost(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure, Method method,
+                  int steps);
+
+/// How much the elastic energy grows, as a share of it, when the body is cut as it is.
+double energyOfCut(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure,
+                   const PlaneCut& cut);
+
+}  // namespace incision::report
