@@ -16,8 +16,10 @@ using Json = nlohmann::json;
 
 /// Tissue that is as incompressible as a scene may be.
 constexpr double NEARLY_HALF = 0.4999;
-/// What the default material has.
-constexpr double CAPPED = 0.45;
+/// What a scene may have instead: the default, and as much as a remedy bears well.
+constexpr double CAPPED = 0.45, MODERATE = 0.49;
+
+const char* nameOf(Pressure pressure) { return pressure == Pressure::ELEMENT ? "plain" : "averaged"; }
 
 class Locking {
  public:
@@ -28,21 +30,22 @@ class Locking {
     errorsByRatio();
     solversByRatio();
     for (const Problem& problem : {cantilever(), pressedBlock()})
-      for (double ratio : {0.49, NEARLY_HALF}) errorsByTime(problem, ratio);
+      for (double ratio : {MODERATE, NEARLY_HALF}) errorsByTime(problem, ratio);
     cutBeam();
-    cutUnderLoad();
+    cutBentBeam();
     findings_.data()["capped"] = CAPPED;
+    findings_.data()["moderate"] = MODERATE;
     return findings_.write();
   }
 
  private:
   std::vector<double> ratios() const {
-    return findings_.quick() ? std::vector<double>{0.3, CAPPED, 0.49, NEARLY_HALF}
-                             : std::vector<double>{0.3, 0.4, CAPPED, 0.49, 0.499, NEARLY_HALF};
+    return findings_.quick() ? std::vector<double>{0.3, CAPPED, MODERATE, NEARLY_HALF}
+                             : std::vector<double>{0.3, 0.4, CAPPED, MODERATE, 0.499, NEARLY_HALF};
   }
   int middleGrid() const { return findings_.quick() ? 2 : 4; }
   std::vector<int> grids() const {
-    return findings_.quick() ? std::vector<int>{1, 2, 4} : std::vector<int>{1, 2, 4, 6, 8};
+    return findings_.quick() ? std::vector<int>{1, 2, 3} : std::vector<int>{1, 2, 3, 4, 6};
   }
 
   void findReferences();
@@ -50,7 +53,7 @@ class Locking {
   void solversByRatio();
   void errorsByTime(const Problem& problem, double ratio);
   void cutBeam();
-  void cutUnderLoad();
+  void cutBentBeam();
   double error(const Problem& problem, double ratio, double answer) const {
     return answer / references_.at({problem.name, ratio}) - 1;
   }
@@ -115,7 +118,7 @@ void Locking::solversByRatio() {
     for (Pressure pressure : {Pressure::ELEMENT, Pressure::AVERAGED}) {
       const StepCost iterative = stepCost(problem, mesh, ratio, pressure, Method::ITERATIVE, 20);
       const StepCost direct = stepCost(problem, mesh, ratio, pressure, Method::DIRECT, 10);
-      at[pressure == Pressure::ELEMENT ? "plain" : "averaged"] = {
+      at[nameOf(pressure)] = {
           {"iterations", iterative.iterations}, {"iterative", iterative.milliseconds}, {"direct", direct.milliseconds}};
     }
     worst = std::max(worst, at["averaged"]["iterations"].get<double>() / at["plain"]["iterations"].get<double>());
@@ -135,7 +138,7 @@ void Locking::errorsByTime(const Problem& problem, double ratio) {
   for (int refinement : grids()) {
     const TetMesh mesh = problem.grid(refinement);
     const auto add = [&](const char* kind, double used, Pressure pressure) {
-      const int steps = refinement > 4 ? 5 : 20;
+      const int steps = refinement > 2 ? 5 : 20;
       const StepCost cost = stepCost(problem, mesh, used, pressure, Method::ITERATIVE, steps);
       of[kind].push_back({{"elements", mesh.elements.size()},
                           {"error", error(problem, ratio, Specimen(problem, mesh, used, pressure).answer())},
@@ -145,6 +148,7 @@ void Locking::errorsByTime(const Problem& problem, double ratio) {
     add("plain", ratio, Pressure::ELEMENT);
     add("capped", CAPPED, Pressure::ELEMENT);
     add("averaged", ratio, Pressure::AVERAGED);
+    if (ratio > MODERATE) add("moderate", MODERATE, Pressure::AVERAGED);
     if (refinement > 4) continue;
     const NodalAverage nodal = nodalAverage(problem, mesh, ratio);
     const Specimen averaged(problem, mesh, ratio, Pressure::AVERAGED);
@@ -160,32 +164,41 @@ void Locking::cutBeam() {
   Problem problem = cantilever();
   double worst = 0;
   for (int refinement : findings_.quick() ? std::vector<int>{2} : std::vector<int>{2, 4}) {
-    problem.cells = {16, 4, 2 * refinement + 1};
-    problem.cells[0] = 8 * refinement;
-    problem.cells[1] = 2 * refinement;
+    problem.cells = {8 * refinement, 2 * refinement, 2 * refinement + 1};
+    double compressible = 0;
     for (double ratio : ratios()) {
       Json at = {{"ratio", ratio}, {"layers", refinement + 0.5}};
       for (Pressure pressure : {Pressure::ELEMENT, Pressure::AVERAGED}) {
         const Specimen split(problem, problem.grid(1), ratio, pressure, {plane(Vec3(0, 0, 0.125), Vec3::UnitZ())});
-        at[pressure == Pressure::ELEMENT ? "plain" : "averaged"] = error(halfCantilever(), ratio, split.answer());
+        at[nameOf(pressure)] = error(halfCantilever(), ratio, split.answer());
       }
-      if (ratio == NEARLY_HALF) worst = std::max(worst, std::abs(at["averaged"].get<double>()));
+      const double averaged = at["averaged"];
+      if (ratio == ratios().front()) compressible = averaged;
+      worst = std::max(worst, averaged / compressible);
       findings_.data()["cut"].push_back(at);
     }
   }
-  findings_.claimBelow("averaged pressure, ν = 0.4999: error of a beam split within its elements", worst, 0.4);
+  findings_.claimBelow("averaged pressure: error of a beam split within its elements, at the worst ν by ν = 0.3", worst,
+                       1.1);
 }
 
-/// What a cut adds to the elastic energy of a bent beam.
-void Locking::cutUnderLoad() {
+/// What a cut does that takes a bent beam apart.
+void Locking::cutBentBeam() {
   const Problem problem = cantilever();
+  const TetMesh mesh = problem.grid(middleGrid());
+  const PlaneCut cut = plane(Vec3(0.52, 0, 0), Vec3(1, 0.1, 0.05));
+  double added = 0;
   for (double ratio : ratios()) {
     Json at = {{"ratio", ratio}};
-    for (Pressure pressure : {Pressure::ELEMENT, Pressure::AVERAGED})
-      at[pressure == Pressure::ELEMENT ? "plain" : "averaged"] = energyOfCut(
-          problem, problem.grid(middleGrid()), ratio, pressure, plane(Vec3(0.52, 0, 0), Vec3(1, 0.1, 0.05)));
+    for (Pressure pressure : {Pressure::ELEMENT, Pressure::AVERAGED}) {
+      const CutEffect effect = cutUnderLoad(problem, mesh, ratio, pressure, cut);
+      at[nameOf(pressure)] = {{"added", effect.added}, {"kinetic", effect.kinetic}};
+      if (ratio == MODERATE && pressure == Pressure::AVERAGED) added = effect.added;
+    }
     findings_.data()["jump"].push_back(at);
   }
+  findings_.claimBelow("averaged pressure, ν = 0.49: elastic energy that a cut through a bent beam adds, as a share",
+                       added, 0.05);
 }
 
 }  // namespace

@@ -14,6 +14,15 @@ RigSettings atRest(const Problem& problem, double poisson_ratio, Pressure pressu
   return settings;
 }
 
+RigSettings inMotion(const Problem& problem, double poisson_ratio, Pressure pressure) {
+  RigSettings settings;
+  settings.material = {YOUNG_MODULUS, poisson_ratio, 1000, 0, 0};
+  settings.pressure = pressure;
+  settings.conditions = {Vec3::Zero(), problem.holds, problem.loads};
+  settings.solver.threads = THREADS;
+  return settings;
+}
+
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
@@ -53,13 +62,9 @@ int Specimen::blocks() const {
 StepCost stepCost(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure, Method method,
                   int steps) {
   constexpr int BEFORE = 3;
-  RigSettings settings;
-  settings.material = {YOUNG_MODULUS, poisson_ratio, 1000, 0, 0};
-  settings.pressure = pressure;
-  settings.conditions = {Vec3::Zero(), problem.holds, problem.loads};
+  RigSettings settings = inMotion(problem, poisson_ratio, pressure);
   for (Load& load : settings.conditions.loads) load.traction *= 10;
   settings.solver.method = method;
-  settings.solver.threads = THREADS;
   Rig rig(mesh, settings);
   std::vector<double> milliseconds, iterations;
   for (int n = 0; n < BEFORE + steps; ++n) {
@@ -72,12 +77,19 @@ StepCost stepCost(const Problem& problem, const TetMesh& mesh, double poisson_ra
   return {median(milliseconds), median(iterations)};
 }
 
-double energyOfCut(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure,
-                   const PlaneCut& cut) {
-  Specimen specimen(problem, mesh, poisson_ratio, pressure);
-  const double before = specimen.step.assembly().elasticEnergy(specimen.motion.x);
-  specimen.cut(cut);
-  return specimen.step.assembly().elasticEnergy(specimen.motion.x) / before - 1;
+CutEffect cutUnderLoad(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure,
+                       const PlaneCut& cut) {
+  RigSettings settings = inMotion(problem, poisson_ratio, pressure);
+  settings.solver.method = Method::DIRECT;
+  settings.warping = false;  // as the loaded state was found
+  Rig rig(mesh, settings);
+  rig.motion.x = Specimen(problem, mesh, poisson_ratio, pressure).motion.x;
+  const auto elastic = [&] { return rig.step.assembly().elasticEnergy(rig.motion.x); };
+  const double before = elastic();
+  rig.cut(cut);
+  const double added = elastic() - before;
+  if (!rig.advance()) throw std::runtime_error("a step has failed");
+  return {added / before, rig.kineticEnergy() / before};
 }
 
 }  // namespace incision::report

@@ -28,8 +28,12 @@ struct StepCost {
 StepCost stepCost(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure, Method method,
                   int steps);
 
-/// How much the elastic energy grows, as a share of it, when the body is cut as it is.
-double energyOfCut(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure,
-                   const PlaneCut& cut);
+/// What a cut does to the body as it is loaded, as shares of its elastic energy before.
+struct CutEffect {
+  double added;    ///< elastic energy that the cut adds, before anything has moved
+  double kinetic;  ///< kinetic energy after the next step of 0.01 s
+};
+CutEffect cutUnderLoad(const Problem& problem, const TetMesh& mesh, double poisson_ratio, Pressure pressure,
+                       const PlaneCut& cut);
 
 }  // namespace incision::report
