@@ -47,7 +47,29 @@ void add(const Lanes<T>& more, T* values) {
   std::memcpy(values, &sum, sizeof sum);
 }
 
-/// Adds g_I g_Jᵀ for all the corners of a row to its blocks. The nine products stand in a block as four, four and one.
+/// Adds a bᵀ to blocks; both vectors are read as four numbers. The nine products stand in a block as four, four and
+/// one.
+template <typename T>
+class OuterProduct {
+ public:
+  explicit OuterProduct(const T* a) {
+    load(a, &a_);
+    first_ = __builtin_shufflevector(a_, a_, 0, 1, 2, 0);
+    second_ = __builtin_shufflevector(a_, a_, 1, 2, 0, 1);
+  }
+  void addTo(T* block, const T* with) const {
+    Lanes<T> b;
+    load(with, &b);
+    add<T>(first_ * __builtin_shufflevector(b, b, 0, 0, 0, 1), block);
+    add<T>(second_ * __builtin_shufflevector(b, b, 1, 1, 2, 2), block + 4);
+    block[8] += a_[2] * b[2];
+  }
+
+ private:
+  Lanes<T> a_, first_, second_;
+};
+
+/// Adds g_I g_Jᵀ for all the corners of a row to its blocks.
 template <typename T>
 void addProducts(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
                  T* blocks) {
@@ -55,19 +77,10 @@ void addProducts(const Assembly& assembly, const BlockPattern& pattern, int row,
   for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
     const Corner& corner = assembly.corners()[k];
     const T* g = &gradients[12 * static_cast<std::size_t>(corner.part)];
-    Lanes<T> g_I, g_J;
-    load(g + 3 * corner.node, &g_I);
-    const Lanes<T> first = __builtin_shufflevector(g_I, g_I, 0, 1, 2, 0);
-    const Lanes<T> second = __builtin_shufflevector(g_I, g_I, 1, 2, 0, 1);
-    for (int J = 0; J < 4; ++J) {
-      const int slot = slotOf(assembly, pattern, row, corner, J);
-      if (slot < 0) continue;
-      load(g + 3 * J, &g_J);
-      T* S = blocks + BLOCK_SIZE * slot;
-      add<T>(first * __builtin_shufflevector(g_J, g_J, 0, 0, 0, 1), S);
-      add<T>(second * __builtin_shufflevector(g_J, g_J, 1, 1, 2, 2), S + 4);
-      S[8] += g_I[2] * g_J[2];
-    }
+    const OuterProduct<T> g_I(g + 3 * corner.node);
+    for (int J = 0; J < 4; ++J)
+      if (const int slot = slotOf(assembly, pattern, row, corner, J); slot >= 0)
+        g_I.addTo(blocks + BLOCK_SIZE * slot, g + 3 * J);
   }
 }
 
@@ -91,16 +104,15 @@ void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, in
 template <typename T>
 void addPatches(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
                 T* blocks) {
-  using Column = Eigen::Map<const Eigen::Matrix<T, 3, 1>>;
   const Patches& patches = *assembly.patches();
   const int copy = pattern.copies[row];
   for (int u = patches.useStart(copy); u < patches.useStart(copy + 1); ++u) {
     const auto& [a, i] = patches.uses()[u];
     const T* h = &gradients[3 * static_cast<std::size_t>(patches.copyStart(a))];
+    const OuterProduct<T> h_i(h + 3 * i);
     for (int j = 0; j < patches.numCopies(a); ++j)
       if (const int slot = patchSlotOf(patches, pattern, row, a, i, j); slot >= 0)
-        Eigen::Map<Eigen::Matrix<T, 3, 3>>(blocks + BLOCK_SIZE * slot) +=
-            Column(h + 3 * i) * Column(h + 3 * j).transpose();
+        h_i.addTo(blocks + BLOCK_SIZE * slot, h + 3 * j);
   }
 }
 
@@ -162,7 +174,7 @@ template <typename T>
 void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const BlockPattern& pattern, double stiffness,
                                            const std::vector<double>& scale) {
   const Patches& patches = *assembly.patches();
-  resizeWithRoom(3 * patches.copies().size(), &patch_gradients_);
+  resizeWithRoom(3 * patches.copies().size() + 1, &patch_gradients_);  // a column is read as four
   parallelFor(patches.count(), assembly.threads(), [&](int a) {
     thread_local Eigen::Matrix3Xd h;
     const int first = patches.copyStart(a), count = patches.numCopies(a);
