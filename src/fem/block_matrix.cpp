@@ -189,9 +189,9 @@ void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const Block
     const double root = std::sqrt(stiffness * assembly.material().lambda() / volume);
     for (int i = 0; i < count; ++i) {
       const int row = pattern.row_of[patches.copies()[first + i]];
-      if (row >= 0)
-        Eigen::Map<Eigen::Matrix<T, 3, 1>>(&patch_gradients_[3 * static_cast<std::size_t>(first + i)]) =
-            (root * scale[row] * h[i]).template cast<T>();
+      if (row < 0) continue;
+      Eigen::Map<Eigen::Matrix<T, 3, 1>> scaled(&patch_gradients_[3 * static_cast<std::size_t>(first + i)]);
+      scaled = (root * scale[row] * h[i]).template cast<T>();
     }
   });
 }
