@@ -1,0 +1,12 @@
+// Static problems with a known answer: error against wall time on meshes of many sizes, made in several ways.
+#include "report/static/study.h"
+
+int main(int argc, char** argv) {
+  using namespace incision::report;
+  Findings findings(argc, argv);
+  const Gmsh gmsh;
+  for (const Problem& problem :
+       {cantilever(), splitCantilever(), doubleCantileverBeam(), edgeCrack(), pennyCrack()})
+    study(problem, gmsh, &findings);
+  return findings.write();
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/rig.h"
+
+namespace incision::report {
+
+/// How a mesh is made and whether the crack lies on its faces; otherwise the crack goes through elements.
+struct Way {
+  bool unstructured;  ///< by Gmsh; otherwise a grid
+  bool faces;
+  std::string name() const {
+    return std::string(unstructured ? "Gmsh" : "grid") + (faces ? ", crack on faces" : ", crack inside elements");
+  }
+};
+
+/// One static solve: a body, what holds and loads it, and what is cut before.
+struct Case {
+  RigSettings settings;
+  std::function<Insertion(Rig* rig)> cut;  ///< empty: nothing
+};
+
+/// A figure of a problem, from the strain energies [J] of some of its cases.
+struct Quantity {
+  std::string name, unit;
+  double answer;
+  std::vector<int> cases;
+  std::function<double(const std::vector<double>& energies)> from;
+  /// Whether the error is that of its inverse, a stiffness, which linear elements overestimate by C h².
+  bool compliance;
+  /// How much shorter [m] a crack is that has this value; empty where no crack ends in the body.
+  std::function<double(double value)> missing = {};
+};
+
+/// A problem with a known answer, for meshes of many sizes.
+struct Problem {
+  std::string name;
+  std::vector<Way> ways;
+  std::function<TetMesh(int cells, bool faces)> grid;
+  std::string geometry;  ///< the Gmsh script
+  std::function<double(int cells)> edge;  ///< length [m] of the cells' edges, or Gmsh's, near what matters
+  /// Numbers of cells for a way.
+  std::function<std::vector<int>(const Way& way, bool quick)> cells;
+  std::vector<Case> cases;
+  std::vector<Quantity> quantities;
+  double order;  ///< what the elements are expected to converge with
+};
+
+Problem cantilever();
+Problem splitCantilever();
+Problem doubleCantileverBeam();
+Problem edgeCrack();
+Problem pennyCrack();
+
+}  // namespace incision::report

@@ -1,0 +1,135 @@
+#include "report/static/study.h"
+
+#include <cmath>
+#include <map>
+
+#include "report/static/clock.h"
+
+namespace incision::report {
+namespace {
+
+using nlohmann::json;
+
+double relativeError(const Quantity& quantity, double value) {
+  return quantity.compliance ? quantity.answer / value - 1 : value / quantity.answer - 1;
+}
+
+struct MeshRun {
+  TetMesh mesh;
+  double edge, meshing_ms;
+  int cells;
+  std::vector<Solution> solutions;
+};
+
+MeshRun run(const Problem& problem, const Way& way, int cells, const Gmsh& gmsh) {
+  MeshRun done;
+  done.cells = cells;
+  done.edge = problem.edge(cells);
+  if (way.unstructured) {
+    done.mesh = gmsh.mesh(problem.geometry, cells, way.faces, &done.meshing_ms);
+  } else {
+    const Clock clock;
+    done.mesh = problem.grid(cells, way.faces);
+    done.meshing_ms = clock.ms();
+  }
+  for (const Case& c : problem.cases) done.solutions.push_back(solve(done.mesh, c));
+  return done;
+}
+
+json point(const Quantity& quantity, const MeshRun& at) {
+  std::vector<double> energies;
+  double ms = 0;
+  int iterations = 0;
+  for (int k : quantity.cases) {
+    energies.push_back(at.solutions[k].energy);
+    ms += at.solutions[k].ms;
+    iterations += at.solutions[k].iterations;
+  }
+  const double value = quantity.from(energies);
+  json result = {{"cells", at.cells},
+                 {"edge", at.edge},
+                 {"elements", at.mesh.elements.size()},
+                 {"freedoms", at.solutions[quantity.cases[0]].freedoms},
+                 {"meshing_ms", at.meshing_ms},
+                 {"ms", ms},
+                 {"iterations", iterations},
+                 {"value", value},
+                 {"error", relativeError(quantity, value)}};
+  if (quantity.missing) result["missing_edges"] = quantity.missing(value) / at.edge;
+  return result;
+}
+
+Curve curveOf(const json& points) {
+  Curve curve;
+  for (const json& p : points) {
+    curve.edges.push_back(p["edge"]);
+    curve.errors.push_back(p["error"]);
+  }
+  return curve;
+}
+
+}  // namespace
+
+double Curve::order() const {
+  const std::size_t last = errors.size() - 1, first = last - 2;
+  return std::log(std::abs(errors[first] / errors[last])) / std::log(edges[first] / edges[last]);
+}
+
+double Curve::limit(double order) const {
+  const std::size_t n = errors.size();
+  const double coarse = std::pow(edges[n - 2], order), fine = std::pow(edges[n - 1], order);
+  return errors[n - 1] - (errors[n - 2] - errors[n - 1]) * fine / (coarse - fine);
+}
+
+double Curve::constant(double order) const { return std::abs(errors.back()) / std::pow(edges.back(), order); }
+
+Solution solve(const TetMesh& mesh, const Case& problem, Method method) {
+  RigSettings settings = problem.settings;
+  settings.solver.method = method;
+  settings.solver.tolerance = 1e-8;
+  settings.solver.threads = 2;
+  Solution solution{};
+  solution.ms = medianTime([&] {
+    Rig rig(mesh, settings);
+    if (problem.cut) solution.parts_split = problem.cut(&rig).parts_split;
+    if (!rig.advance()) throw InputError("a static problem could not be solved");
+    solution.energy = rig.step.assembly().elasticEnergy(rig.motion.x);
+    solution.freedoms = 3 * rig.mesh.numCopies();
+    solution.iterations = rig.step.stats().iterations;
+  });
+  return solution;
+}
+
+void study(const Problem& problem, const Gmsh& gmsh, Findings* findings) {
+  json quantities = json::array();
+  for (const Quantity& quantity : problem.quantities)
+    quantities.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"answer", quantity.answer}});
+  const bool cut = static_cast<bool>(problem.cases[0].cut);
+  bool as_meant = true;
+  for (const Way& way : problem.ways) {
+    std::vector<json> points(problem.quantities.size(), json::array());
+    for (const int cells : problem.cells(way, findings->quick())) {
+      const MeshRun done = run(problem, way, cells, gmsh);
+      for (const Solution& solution : done.solutions)
+        as_meant = as_meant && (solution.parts_split > 0) == (cut && !way.faces);
+      for (std::size_t q = 0; q < points.size(); ++q) {
+        points[q].push_back(point(problem.quantities[q], done));
+        std::printf("%s\n", (problem.name + ": " + way.name() + ": " + points[q].back().dump()).c_str());
+      }
+    }
+    for (std::size_t q = 0; q < points.size(); ++q) {
+      const Curve curve = curveOf(points[q]);
+      quantities[q]["curves"].push_back({{"faces", way.faces},
+                                         {"unstructured", way.unstructured},
+                                         {"points", points[q]},
+                                         {"order", curve.order()},
+                                         {"limit", curve.limit(problem.order)},
+                                         {"constant", curve.constant(problem.order)}});
+    }
+  }
+  if (cut) findings->claim(problem.name + ": a crack on faces splits no element, any other splits some", as_meant);
+  findings->data()["problems"].push_back(
+      {{"name", problem.name}, {"order", problem.order}, {"quantities", quantities}});
+}
+
+}  // namespace incision::report

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "report/findings.h"
+#include "report/static/gmsh.h"
+#include "report/static/problem.h"
+
+namespace incision::report {
+
+/// What one static solve gave and took.
+struct Solution {
+  double energy;  ///< strain energy [J]
+  double ms;      ///< median wall time
+  int freedoms, iterations, parts_split;
+};
+
+/// Makes the body from a mesh in memory, cuts it, assembles and solves. Throws InputError when it cannot.
+Solution solve(const TetMesh& mesh, const Case& problem, Method method = Method::AUTO);
+
+/// Errors of one quantity on meshes made in one way, from coarse to fine.
+struct Curve {
+  std::vector<double> edges;   ///< [m]
+  std::vector<double> errors;  ///< relative, signed
+
+  /// The slope of log |error| over log edge, between the first and the last of the finest three.
+  double order() const;
+  /// The error at edge 0, by the line through the finest two over edge^order.
+  double limit(double order) const;
+  /// |error| at an edge of 1, by the finest mesh.
+  double constant(double order) const;
+};
+
+/// Runs a problem on all its meshes; data["problems"] and the claims get what it finds.
+void study(const Problem& problem, const Gmsh& gmsh, Findings* findings);
+
+}  // namespace incision::report
