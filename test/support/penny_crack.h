@@ -14,29 +14,16 @@ inline constexpr double BLOCK_HALF = 4;
 /// Half the width [m] of the block's fine region, and its share of the cells.
 inline constexpr double FINE_HALF = 1.3, FINE_SHARE = 0.7;
 
-/// Edge [m] of the cells in the fine region.
-inline double gradedCell(int cells) { return 2 * FINE_HALF / (FINE_SHARE * cells); }
-
 /// The block; most of its cells lie round the crack.
 inline TetMesh gradedBlock(int cells) {
   TetMesh mesh = block({cells, cells, cells}, Vec3::Constant(2), Vec3::Constant(-1));
   for (Vec3& X : mesh.nodes)
     for (double& s : X) {
       const double beyond = std::max(0.0, (std::abs(s) - FINE_SHARE) / (1 - FINE_SHARE));
-      s = std::copysign(FINE_HALF * std::min(std::abs(s) / FINE_SHARE, 1.0) +
-                            (BLOCK_HALF - FINE_HALF) * std::pow(beyond, 1.5),
-                        s);
+      s = std::copysign(
+          FINE_HALF * std::min(std::abs(s) / FINE_SHARE, 1.0) + (BLOCK_HALF - FINE_HALF) * std::pow(beyond, 1.5), s);
     }
   return mesh;
-}
-
-/// Settings under which one step gives the static answer of the block pulled apart along z.
-inline RigSettings pulledBlock(double young_modulus, double poisson_ratio, double tension) {
-  RigSettings settings = statics(young_modulus, poisson_ratio);
-  settings.material.density = 1e-6 * young_modulus;  // holds the block, which nothing else does, softly
-  settings.conditions.loads = {{slab(2, BLOCK_HALF), Vec3(0, 0, tension), 0},
-                               {slab(2, -BLOCK_HALF), Vec3(0, 0, -tension), 0}};
-  return settings;
 }
 
 /// The disc z = 0, r < radius, of copies at `x`.

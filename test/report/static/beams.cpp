@@ -19,8 +19,9 @@ double deflection(double a, double share) {
 /// Under a dead load the strain energy is half the load times its way.
 double wayOf(double load, double energy) { return 2 * energy / load; }
 
-RigSettings clampedUpTo(double x) {
+RigSettings clampedUpTo(double x, const std::vector<Load>& loads) {
   RigSettings settings = statics(E, 0);
+  settings.conditions.loads = loads;
   Box box = slab(0, 0);
   box.max.x() = x + 1e-9;
   settings.conditions.holds = {{box, Vec3::Zero()}};
@@ -32,7 +33,7 @@ Problem bar(const std::string& name) {
   problem.name = name;
   problem.grid = [](int n, bool) { return block({5 * n, n, n}, Vec3(L, H, H)); };
   problem.geometry = "bar.geo";
-  problem.edge = [](int n) { return H / n; };
+  problem.fine = {Vec3::Zero(), Vec3(L, H, H)};
   // An odd number of cells has no faces in the mid-plane.
   problem.cells = [](const Way& way, bool quick) {
     const std::vector<int> even = {4, 6, 8, 12, 16, 24};
@@ -51,14 +52,12 @@ Insertion cutAlongTheMiddle(Rig* rig) { return rig->cut(plane(Vec3(0, 0, H / 2),
 
 /// The end is clamped up to the crack's front; the arms are pulled apart by their end faces.
 Case openedBy(double crack) {
-  RigSettings settings = clampedUpTo(L - crack);
   Box upper = slab(0, L), lower = upper;
   upper.min.z() = H / 2 - 1e-9;
   lower.max.z() = H / 2 + 1e-9;
-  settings.conditions.loads = {{upper, Vec3(0, 0, TRACTION), 0}, {lower, Vec3(0, 0, -TRACTION), 0}};
-  return {settings, [crack](Rig* rig) {
-            return rig->cut(rectangle(Vec3(L, H / 2, H / 2), Vec3::UnitZ(), Vec3::UnitX(), 2 * crack, 0));
-          }};
+  const std::vector<Load> loads = {{upper, Vec3(0, 0, TRACTION), 0}, {lower, Vec3(0, 0, -TRACTION), 0}};
+  const PlaneCut slit = rectangle(Vec3(L, H / 2, H / 2), Vec3::UnitZ(), Vec3::UnitX(), 2 * crack, 0);
+  return {clampedUpTo(L - crack, loads), [=](Rig* rig) { return rig->cut(slit); }, P * P / 2};
 }
 
 }  // namespace
@@ -66,11 +65,9 @@ Case openedBy(double crack) {
 Problem cantilever() {
   Problem problem = bar("cantilever");
   problem.ways = {{false, true}, {true, true}};
-  Case whole{clampedUpTo(0), {}};
-  whole.settings.conditions.loads = {{slab(0, L), Vec3(0, 0, TRACTION), 0}};
-  problem.cases = {whole};
-  problem.quantities = {
-      {"deflection", "m", deflection(L, 1), {0}, [](const auto& U) { return wayOf(P, U[0]); }, true}};
+  const Load load = {slab(0, L), Vec3(0, 0, TRACTION), 0};
+  problem.cases = {{clampedUpTo(0, {load}), {}}};
+  problem.quantities = {{"deflection", "m", deflection(L, 1), {0}, [](const auto& U) { return wayOf(P, U[0]); }, true}};
   return problem;
 }
 
@@ -95,8 +92,12 @@ Problem doubleCantileverBeam() {
   const auto exactEnergy = [](double a) { return P * deflection(a, 0.5) / 2; };
   problem.quantities = {
       {"opening of an arm", "m", deflection(LONG, 0.5), {0}, [=](const auto& U) { return opening(U[0]); }, true},
-      {"energy release rate", "J/m²", released(exactEnergy(LONG), exactEnergy(SHORT)), {0, 1},
-       [=](const auto& U) { return released(U[0], U[1]); }, true}};
+      {"energy release rate",
+       "J/m²",
+       released(exactEnergy(LONG), exactEnergy(SHORT)),
+       {0, 1},
+       [=](const auto& U) { return released(U[0], U[1]); },
+       true}};
   return problem;
 }
 

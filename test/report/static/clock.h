@@ -17,16 +17,16 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Median wall time [ms] of three runs, or of the only run where that takes long.
+/// Median wall time [ms] of so many runs, or of the only run where that takes long.
 template <typename Run>
-double medianTime(const Run& run) {
+double medianTime(int repeats, const Run& run) {
   constexpr double LONG = 3000;  // [ms]
   std::vector<double> times;
   do {
     const Clock clock;
     run();
     times.push_back(clock.ms());
-  } while (times.size() < 3 && times[0] < LONG);
+  } while (static_cast<int>(times.size()) < repeats && times[0] < LONG);
   std::sort(times.begin(), times.end());
   return times[times.size() / 2];
 }

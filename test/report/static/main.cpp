@@ -5,8 +5,9 @@ int main(int argc, char** argv) {
   using namespace incision::report;
   Findings findings(argc, argv);
   const Gmsh gmsh;
-  for (const Problem& problem :
-       {cantilever(), splitCantilever(), doubleCantileverBeam(), edgeCrack(), pennyCrack()})
+  studyBending(gmsh, &findings);
+  compareSolvers(&findings);
+  for (const Problem& problem : {cantilever(), splitCantilever(), doubleCantileverBeam(), edgeCrack(), pennyCrack()})
     study(problem, gmsh, &findings);
   return findings.write();
 }

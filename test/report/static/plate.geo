@@ -1,9 +1,9 @@
-// A plate with a crack from x = 0 along z = 0. With `faces` both lengths of the crack, 0.4 and 0.5, are made of faces.
+// A plate with a crack from x = 0 along z = 0. With `faces` both lengths of the crack, 0.3 and 0.5, are made of faces.
 SetFactory("OpenCASCADE");
 DefineConstant[cells = 10, faces = 0];
 at[] = {0, 1};
 If (faces)
-  at[] = {0, 0.4, 0.5, 1};
+  at[] = {0, 0.3, 0.5, 1};
 EndIf
 For i In {0:#at[] - 2}
   For k In {0:faces}

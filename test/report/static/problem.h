@@ -21,6 +21,9 @@ struct Way {
 struct Case {
   RigSettings settings;
   std::function<Insertion(Rig* rig)> cut;  ///< empty: nothing
+  /// Σ F² [N²] over the loads' resultants that the energy is scaled to; 0: as it is. Boundary faces that a crack
+  /// divides carry no load of one side.
+  double load_squares = 0;
 };
 
 /// A figure of a problem, from the strain energies [J] of some of its cases.
@@ -41,12 +44,12 @@ struct Problem {
   std::vector<Way> ways;
   std::function<TetMesh(int cells, bool faces)> grid;
   std::string geometry;  ///< the Gmsh script
-  std::function<double(int cells)> edge;  ///< length [m] of the cells' edges, or Gmsh's, near what matters
+  Box fine;              ///< where the elements are of one size, which the errors are held against
   /// Numbers of cells for a way.
   std::function<std::vector<int>(const Way& way, bool quick)> cells;
   std::vector<Case> cases;
   std::vector<Quantity> quantities;
-  double order;  ///< what the elements are expected to converge with
+  int order;  ///< with which power of the elements' edge the error is expected to fall
 };
 
 Problem cantilever();

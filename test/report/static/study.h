@@ -14,14 +14,14 @@ struct Solution {
 };
 
 /// Makes the body from a mesh in memory, cuts it, assembles and solves. Throws InputError when it cannot.
-Solution solve(const TetMesh& mesh, const Case& problem, Method method = Method::AUTO);
+Solution solve(const TetMesh& mesh, const Case& problem, int repeats, Method method = Method::AUTO);
 
 /// Errors of one quantity on meshes made in one way, from coarse to fine.
 struct Curve {
   std::vector<double> edges;   ///< [m]
   std::vector<double> errors;  ///< relative, signed
 
-  /// The slope of log |error| over log edge, between the first and the last of the finest three.
+  /// The slope of log |error| over log edge, between the first and the last of the finest four.
   double order() const;
   /// The error at edge 0, by the line through the finest two over edge^order.
   double limit(double order) const;
@@ -31,5 +31,11 @@ struct Curve {
 
 /// Runs a problem on all its meshes; data["problems"] and the claims get what it finds.
 void study(const Problem& problem, const Gmsh& gmsh, Findings* findings);
+
+/// data["bending"]: a field that is known everywhere.
+void studyBending(const Gmsh& gmsh, Findings* findings);
+
+/// data["solvers"]
+void compareSolvers(Findings* findings);
 
 }  // namespace incision::report
