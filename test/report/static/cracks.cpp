@@ -89,7 +89,7 @@ Problem edgeCrack() {
   problem.geometry = "plate.geo";
   problem.fine = {Vec3(0, 0, -0.5), Vec3(WIDTH, THICKNESS, 0.5)};
   problem.cells = [](const Way&, bool quick) {
-    return quick ? std::vector<int>{10, 20, 30} : std::vector<int>{10, 20, 30, 40, 60};
+    return quick ? std::vector<int>{10, 20, 30} : std::vector<int>{10, 20, 30, 40, 50};
   };
   problem.cases = {pulledPlate(LONG), pulledPlate(SHORT)};
   const auto intensity = [](double energy) { return std::sqrt(E * energy / (THICKNESS * (LONG - SHORT))); };
@@ -140,7 +140,7 @@ Problem pennyCrack() {
                          false}};
   problem.order = 1;
   problem.cells = [](const Way& way, bool quick) {
-    std::vector<int> cells = quick ? std::vector<int>{12, 18, 26} : std::vector<int>{12, 18, 26, 38, 48};
+    std::vector<int> cells = quick ? std::vector<int>{12, 18, 26} : std::vector<int>{12, 18, 26, 34, 42};
     if (!way.faces)
       for (int& n : cells) ++n;
     return cells;

@@ -9,5 +9,6 @@ int main(int argc, char** argv) {
   compareSolvers(&findings);
   for (const Problem& problem : {cantilever(), splitCantilever(), doubleCantileverBeam(), edgeCrack(), pennyCrack()})
     study(problem, gmsh, &findings);
+  claimConvergence(&findings);
   return findings.write();
 }

@@ -35,7 +35,10 @@ void study(const Problem& problem, const Gmsh& gmsh, Findings* findings);
 /// data["bending"]: a field that is known everywhere.
 void studyBending(const Gmsh& gmsh, Findings* findings);
 
-/// data["solvers"]
+/// Claims from data["problems"].
+void claimConvergence(Findings* findings);
+
+/// data["solvers"]: the time of either solver.
 void compareSolvers(Findings* findings);
 
 }  // namespace incision::report
