@@ -48,7 +48,7 @@ Problem bar(const std::string& name) {
   return problem;
 }
 
-Insertion cutAlongTheMiddle(Rig* rig) { return rig->cut(plane(Vec3(0, 0, H / 2), Vec3::UnitZ())); }
+Insertion cutAlongTheMiddle(Rig* rig, double) { return rig->cut(plane(Vec3(0, 0, H / 2), Vec3::UnitZ())); }
 
 /// The end is clamped up to the crack's front; the arms are pulled apart by their end faces.
 Case openedBy(double crack) {
@@ -57,7 +57,7 @@ Case openedBy(double crack) {
   lower.max.z() = H / 2 + 1e-9;
   const std::vector<Load> loads = {{upper, Vec3(0, 0, TRACTION), 0}, {lower, Vec3(0, 0, -TRACTION), 0}};
   const PlaneCut slit = rectangle(Vec3(L, H / 2, H / 2), Vec3::UnitZ(), Vec3::UnitX(), 2 * crack, 0);
-  return {clampedUpTo(L - crack, loads), [=](Rig* rig) { return rig->cut(slit); }, P * P / 2};
+  return {clampedUpTo(L - crack, loads), [=](Rig* rig, double) { return rig->cut(slit); }, P * P / 2};
 }
 
 }  // namespace

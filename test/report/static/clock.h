@@ -20,7 +20,7 @@ class Clock {
 /// Median wall time [ms] of so many runs, or of the only run where that takes long.
 template <typename Run>
 double medianTime(int repeats, const Run& run) {
-  constexpr double LONG = 3000;  // [ms]
+  constexpr double LONG = 1000;  // [ms]
   std::vector<double> times;
   do {
     const Clock clock;

@@ -55,10 +55,11 @@ double edgeCrackOf(double energy) {
 }
 
 Case pulledPlate(double crack) {
-  const PlaneCut slit = rectangle(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), 2 * crack, 0);
   Box end = slab(2, HALF);
   end.min.x() = 0.39 * WIDTH;
-  return {pulled(HALF, end), [=](Rig* rig) { return rig->cut(slit); }};
+  return {pulled(HALF, end), [=](Rig* rig, double longer) {
+            return rig->cut(rectangle(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), 2 * (crack + longer), 0));
+          }};
 }
 
 /// The volume [m³] that tension opens between the faces of a disc in infinite space.
@@ -74,7 +75,8 @@ Case pulledBlock(double radius) {
   Box middle = slab(2, BLOCK_HALF);
   middle.min.head<2>().setConstant(-1.5);
   middle.max.head<2>().setConstant(1.5);
-  return {pulled(BLOCK_HALF, middle), [=](Rig* rig) { return rig->cut(disc(radius, rig->mesh, rig->motion.x)); }};
+  return {pulled(BLOCK_HALF, middle),
+          [=](Rig* rig, double longer) { return rig->cut(disc(radius + longer, rig->mesh, rig->motion.x)); }};
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ Case pulledBlock(double radius) {
 Problem edgeCrack() {
   Problem problem;
   problem.name = "edge crack";
-  problem.ways = {{false, true}, {false, false}, {true, true}, {true, false}};
+  problem.ways = {{false, true}, {false, false}, {true, true}, {true, false}, {true, false, true}};
   // An odd number of cells along has no faces in the crack; its front is on faces in either grid.
   problem.grid = [](int n, bool faces) { return gradedPlate(n, faces ? 2 * n : 2 * n + 1); };
   problem.geometry = "plate.geo";
@@ -116,7 +118,7 @@ Problem pennyCrack() {
   constexpr double LARGE = 1.2, SMALL = 0.8;
   Problem problem;
   problem.name = "penny crack";
-  problem.ways = {{false, true}, {false, false}, {true, true}, {true, false}};
+  problem.ways = {{false, true}, {false, false}, {true, true}, {true, false}, {true, false, true}};
   problem.grid = [](int n, bool) { return gradedBlock(n); };
   problem.geometry = "block.geo";
   problem.fine = {Vec3::Constant(-FINE_HALF), Vec3::Constant(FINE_HALF)};
@@ -140,7 +142,7 @@ Problem pennyCrack() {
                          false}};
   problem.order = 1;
   problem.cells = [](const Way& way, bool quick) {
-    std::vector<int> cells = quick ? std::vector<int>{12, 18, 26} : std::vector<int>{12, 18, 26, 34, 42};
+    std::vector<int> cells = quick ? std::vector<int>{12, 18, 26} : std::vector<int>{12, 18, 26, 32, 38};
     if (!way.faces)
       for (int& n : cells) ++n;
     return cells;

@@ -8,19 +8,24 @@
 
 namespace incision::report {
 
+/// A crack that ends inside elements acts as if it were shorter by about so many edges of an element.
+inline constexpr double MISSING_EDGES = 0.8;
+
 /// How a mesh is made and whether the crack lies on its faces; otherwise the crack goes through elements.
 struct Way {
   bool unstructured;  ///< by Gmsh; otherwise a grid
   bool faces;
+  bool longer = false;  ///< the crack is made longer, by the MISSING_EDGES that a crack inside elements lacks
   std::string name() const {
-    return std::string(unstructured ? "Gmsh" : "grid") + (faces ? ", crack on faces" : ", crack inside elements");
+    return std::string(unstructured ? "Gmsh" : "grid") + (faces ? ", crack on faces" : ", crack inside elements") +
+           (longer ? ", made longer" : "");
   }
 };
 
 /// One static solve: a body, what holds and loads it, and what is cut before.
 struct Case {
   RigSettings settings;
-  std::function<Insertion(Rig* rig)> cut;  ///< empty: nothing
+  std::function<Insertion(Rig* rig, double longer)> cut;  ///< with a crack longer by so much [m]; empty: nothing
   /// Σ F² [N²] over the loads' resultants that the energy is scaled to; 0: as it is. Boundary faces that a crack
   /// divides carry no load of one side.
   double load_squares = 0;

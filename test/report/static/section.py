@@ -7,7 +7,8 @@ from plots import curve, table
 
 TITLE = 'Static problems: error against time'
 
-WAYS = {(False, True): 0, (False, False): 1, (True, True): 2, (True, False): 3}  # (unstructured, faces): its curve
+WAYS = ('grid, crack on faces', 'grid, crack inside elements', 'Gmsh, crack on faces', 'Gmsh, crack inside elements',
+        'Gmsh, inside, made longer')
 
 
 def kind(found):
@@ -15,7 +16,7 @@ def kind(found):
 
 
 def label(found):
-    return f'{kind(found)}, crack {"on faces" if found["faces"] else "inside elements"}'
+    return WAYS[4 if found['longer'] else 2 * found['unstructured'] + (not found['faces'])]
 
 
 def column(points, key):
@@ -41,7 +42,7 @@ def ratio_at_equal_time(top, bottom):
 
 def inside_over_faces(quantity):
     """{kind: ratio} of the error of a crack inside elements to that on faces at equal time."""
-    ways = {(c['unstructured'], c['faces']): c for c in quantity['curves']}
+    ways = {(c['unstructured'], c['faces']): c for c in quantity['curves'] if not c['longer']}
     return {kind(ways[u, True]): ratio_at_equal_time(ways[u, False], ways[u, True]) for u in (False, True)}
 
 
@@ -52,7 +53,7 @@ def log_axes(axes, title, vertical='error [%]'):
 def draw_errors(axes, title, quantity, name=label):
     for found in quantity['curves']:
         axes.plot(column(found['points'], 'ms'), 100 * column(found['points'], 'error'), label=name(found),
-                  **curve(WAYS[found['unstructured'], found['faces']]))
+                  **curve(WAYS.index(label(found))))
     log_axes(axes, title)
 
 
@@ -94,7 +95,7 @@ def draw_cracks(data, draw):
         edge.legend()
         for found in find(data, 'penny crack', 'opened volume')['curves']:
             missing.plot(column(found['points'], 'edge'), column(found['points'], 'missing_edges'), label=label(found),
-                         **curve(WAYS[found['unstructured'], found['faces']]))
+                         **curve(WAYS.index(label(found))))
         missing.set(title='penny crack acts as if shorter by', xlabel='edge of the elements / radius', ylabel='edges',
                     ylim=(0, 1.2))
     return draw.picture('cracks', 'Error against time of cracks that end in the body, and by how much they are short')

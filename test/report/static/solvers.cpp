@@ -12,8 +12,8 @@ void compareSolvers(Findings* findings) {
   double apart = 0;
   for (const int n : quick ? std::vector<int>{4, 6, 8} : std::vector<int>{3, 4, 6, 8, 12, 16}) {
     const TetMesh mesh = problem.grid(n, true);
-    const Solution direct = solve(mesh, loaded, quick ? 1 : 3, Method::DIRECT);
-    const Solution iterative = solve(mesh, loaded, quick ? 1 : 3, Method::ITERATIVE);
+    const Solution direct = solve(mesh, loaded, 0, quick ? 1 : 3, Method::DIRECT);
+    const Solution iterative = solve(mesh, loaded, 0, quick ? 1 : 3, Method::ITERATIVE);
     apart = std::max(apart, std::abs(iterative.energy / direct.energy - 1));
     findings->data()["solvers"].push_back({{"freedoms", direct.freedoms},
                                            {"direct_ms", direct.ms},

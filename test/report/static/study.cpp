@@ -46,7 +46,8 @@ MeshRun run(const Problem& problem, const Way& way, int cells, const Gmsh& gmsh,
     done.meshing_ms = clock.ms();
   }
   done.edge = meanEdge(done.mesh, problem.fine);
-  for (const Case& c : problem.cases) done.solutions.push_back(solve(done.mesh, c, repeats));
+  for (const Case& c : problem.cases)
+    done.solutions.push_back(solve(done.mesh, c, way.longer ? MISSING_EDGES * done.edge : 0, repeats));
   return done;
 }
 
@@ -54,10 +55,12 @@ json point(const Quantity& quantity, const MeshRun& at) {
   std::vector<double> energies;
   double ms = 0;
   int iterations = 0;
+  bool gave_up = false;
   for (int k : quantity.cases) {
     energies.push_back(at.solutions[k].energy);
     ms += at.solutions[k].ms;
     iterations += at.solutions[k].iterations;
+    gave_up = gave_up || at.solutions[k].gave_up;
   }
   const double value = quantity.from(energies);
   json result = {{"cells", at.cells},
@@ -67,6 +70,7 @@ json point(const Quantity& quantity, const MeshRun& at) {
                  {"meshing_ms", at.meshing_ms},
                  {"ms", ms},
                  {"iterations", iterations},
+                 {"gave_up", gave_up},
                  {"value", value},
                  {"error", relativeError(quantity, value)}};
   if (quantity.missing) result["missing_edges"] = quantity.missing(value) / at.edge;
@@ -100,27 +104,36 @@ double Curve::order() const {
 }
 
 double Curve::limit(double order) const {
-  const std::size_t n = errors.size();
-  const double coarse = std::pow(edges[n - 2], order), fine = std::pow(edges[n - 1], order);
-  return errors[n - 1] - (errors[n - 2] - errors[n - 1]) * fine / (coarse - fine);
+  const std::size_t first = errors.size() - std::min<std::size_t>(errors.size(), 4);
+  const auto count = static_cast<double>(errors.size() - first);
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = first; i < errors.size(); ++i) {
+    const double size = std::pow(edges[i], order);
+    x += size / count;
+    y += errors[i] / count;
+    xx += size * size / count;
+    xy += size * errors[i] / count;
+  }
+  return y - x * (xy - x * y) / (xx - x * x);
 }
 
 double Curve::constant(double order) const { return std::abs(errors.back()) / std::pow(edges.back(), order); }
 
-Solution solve(const TetMesh& mesh, const Case& problem, int repeats, Method method) {
+Solution solve(const TetMesh& mesh, const Case& problem, double longer, int repeats, Method method) {
   RigSettings settings = problem.settings;
   settings.solver.method = method;
   settings.solver.threads = 2;
   Solution solution{};
   solution.ms = medianTime(repeats, [&] {
     Rig rig(mesh, settings);
-    if (problem.cut) solution.parts_split = problem.cut(&rig).parts_split;
+    if (problem.cut) solution.parts_split = problem.cut(&rig, longer).parts_split;
     if (!rig.advance()) throw InputError("a static problem could not be solved");
     solution.energy = rig.step.assembly().elasticEnergy(rig.motion.x);
     if (problem.load_squares > 0)
       solution.energy *= problem.load_squares / squaresOfResultants(rig.mesh, settings.conditions.loads);
     solution.freedoms = 3 * rig.mesh.numCopies();
     solution.iterations = rig.step.stats().iterations;
+    solution.gave_up = solution.iterations > 0 && rig.step.stats().residual < 1e-3 * settings.solver.tolerance;
   });
   return solution;
 }
@@ -146,6 +159,7 @@ void study(const Problem& problem, const Gmsh& gmsh, Findings* findings) {
       const Curve curve = curveOf(points[q]);
       quantities[q]["curves"].push_back({{"faces", way.faces},
                                          {"unstructured", way.unstructured},
+                                         {"longer", way.longer},
                                          {"points", points[q]},
                                          {"order", curve.order()},
                                          {"expected_order", problem.order},

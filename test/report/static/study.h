@@ -11,10 +11,12 @@ struct Solution {
   double energy;  ///< strain energy [J]
   double ms;      ///< median wall time
   int freedoms, iterations, parts_split;
+  bool gave_up;  ///< whether the iteration did, and the factorisation took over
 };
 
-/// Makes the body from a mesh in memory, cuts it, assembles and solves. Throws InputError when it cannot.
-Solution solve(const TetMesh& mesh, const Case& problem, int repeats, Method method = Method::AUTO);
+/// Makes the body from a mesh in memory, cuts it, with cracks that are `longer` by so much [m], assembles and solves.
+/// Throws InputError when it cannot.
+Solution solve(const TetMesh& mesh, const Case& problem, double longer, int repeats, Method method = Method::AUTO);
 
 /// Errors of one quantity on meshes made in one way, from coarse to fine.
 struct Curve {
@@ -23,7 +25,7 @@ struct Curve {
 
   /// The slope of log |error| over log edge, between the first and the last of the finest four.
   double order() const;
-  /// The error at edge 0, by the line through the finest two over edge^order.
+  /// The error at edge 0, by the straight line through the finest four over edge^order.
   double limit(double order) const;
   /// |error| at an edge of 1, by the finest mesh.
   double constant(double order) const;
