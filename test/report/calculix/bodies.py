@@ -26,10 +26,12 @@ FACES = {'C3D4': (TRIANGLES, [1 / 3] * 3),
 
 @dataclasses.dataclass
 class Body:
-    """Nodes [m] and elements of one of CalculiX's types, by nodes counted from 0."""
+    """Nodes [m] and elements of one of CalculiX's types, by nodes counted from 0; weights are shares of the material's
+    stiffness, by element, 1 where there are none."""
     nodes: np.ndarray
     elements: np.ndarray
     kind: str
+    weights: np.ndarray = None
 
     def at(self, axis, place):
         """Nodes in a plane."""
@@ -73,6 +75,18 @@ def bricks(cells, size, spacing=None):
     nodes = np.stack(np.meshgrid(*lattice, indexing='ij'), axis=-1).reshape(-1, 3)
     used, elements = np.unique(elements, return_inverse=True)
     return Body(nodes[used], elements.reshape(-1, 20), 'C3D20R')
+
+
+def cut_through(body, place):
+    """Linear tetrahedra cut by the plane z = place midway through a layer of the grid: two bodies, the lower and then
+    the upper, that each have the whole of every element they own a part of, with the part's share of its volume as its
+    weight. The upper body's nodes are numbered in the same order after the lower's."""
+    above = (body.nodes[body.elements][:, :, 2] > place).sum(axis=1)
+    share = np.array([0, 1 / 8, 1 / 2, 7 / 8, 1])[above]  # the plane halves every edge it meets
+    upper, lower = above > 0, above < 4
+    return Body(np.vstack([body.nodes, body.nodes]),
+                np.vstack([body.elements[lower], body.elements[upper] + len(body.nodes)]), body.kind,
+                np.concatenate([1 - share[lower], share[upper]]))
 
 
 def quadratic(body):

@@ -33,16 +33,7 @@ def run(body, young, poisson, held, forces=None, density=None, modes=0):
 def deck_lines(body, young, poisson, held, forces, density, modes):
     yield '*NODE, NSET=ALL'
     yield from (f'{n + 1}, {x:.12e}, {y:.12e}, {z:.12e}' for n, (x, y, z) in enumerate(body.nodes))
-    yield f'*ELEMENT, TYPE={body.kind}, ELSET=ALL'
-    for e, nodes in enumerate(body.elements):
-        numbers = [str(v) for v in (e + 1, *(nodes + 1))]
-        yield ', '.join(numbers[:12]) + (',' if len(numbers) > 12 else '')
-        if len(numbers) > 12:
-            yield ', '.join(numbers[12:])
-    yield from ('*MATERIAL, NAME=M', '*ELASTIC', f'{young:.12e}, {poisson:.12e}')
-    if density:
-        yield from ('*DENSITY', f'{density:.12e}')
-    yield '*SOLID SECTION, ELSET=ALL, MATERIAL=M'
+    yield from element_lines(body, young, poisson, density)
     yield '*BOUNDARY'
     yield from (f'{n + 1}, {d + 1}' for n, directions in held.items() for d in directions)
     yield '*STEP'
@@ -53,6 +44,25 @@ def deck_lines(body, young, poisson, held, forces, density, modes):
         yield from (f'{n + 1}, {d + 1}, {force:.12e}' for (n, d), force in forces.items())
         yield from ('*NODE PRINT, NSET=ALL', 'U', '*EL PRINT, ELSET=ALL, TOTALS=ONLY', 'ELSE')
     yield '*END STEP'
+
+
+def element_lines(body, young, poisson, density):
+    """A set of elements, a material and a section for each weight."""
+    weights = np.ones(len(body.elements)) if body.weights is None else body.weights
+    values = np.unique(weights)
+    for k, weight in enumerate(values):
+        yield f'*ELEMENT, TYPE={body.kind}, ELSET=E{k}'
+        for e in np.flatnonzero(weights == weight):
+            numbers = [str(v) for v in (e + 1, *(body.elements[e] + 1))]
+            yield ', '.join(numbers[:12]) + (',' if len(numbers) > 12 else '')
+            if len(numbers) > 12:
+                yield ', '.join(numbers[12:])
+        yield from (f'*MATERIAL, NAME=M{k}', '*ELASTIC', f'{weight * young:.12e}, {poisson:.12e}')
+        if density:
+            yield from ('*DENSITY', f'{weight * density:.12e}')
+        yield f'*SOLID SECTION, ELSET=E{k}, MATERIAL=M{k}'
+    yield '*ELSET, ELSET=ALL'
+    yield from (f'E{k}' for k in range(len(values)))
 
 
 def read_static(text, count):
