@@ -18,16 +18,17 @@ Gmsh::~Gmsh() {
   std::filesystem::remove_all(folder_, ignored);
 }
 
-TetMesh Gmsh::mesh(const std::string& geometry, int cells, bool faces, double* ms) const {
+const Gmsh::Made& Gmsh::mesh(const std::string& geometry, int cells, bool faces) {
   const std::string file = (folder_ / "body.msh").string();
   const std::string command = "gmsh -3 -format msh22 -v 1 '" INCISION_SOURCE_DIR "/test/report/static/" + geometry +
                               "' -setnumber cells " + std::to_string(cells) + " -setnumber faces " +
                               std::to_string(faces) + " -o '" + file + "' >/dev/null";
+  const auto known = made_.find(command);
+  if (known != made_.end()) return known->second;
   const Clock clock;
   if (std::system(command.c_str()) != 0) throw InputError("this command failed: " + command);
-  const TetMesh mesh = readGmsh(file);
-  *ms = clock.ms();
-  return mesh;
+  TetMesh mesh = readGmsh(file);
+  return made_[command] = {std::move(mesh), clock.ms()};
 }
 
 }  // namespace incision::report

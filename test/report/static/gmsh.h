@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "incision/mesh/tet_mesh.h"
@@ -14,12 +15,17 @@ class Gmsh {
   ~Gmsh();
   Gmsh(const Gmsh&) = delete;
 
-  /// The mesh for `cells`, with or without the crack on faces; `ms` is the wall time [ms] that Gmsh took, reading its
-  /// file included. Throws InputError when Gmsh fails.
-  TetMesh mesh(const std::string& geometry, int cells, bool faces, double* ms) const;
+  struct Made {
+    TetMesh mesh;
+    double ms;  ///< wall time that Gmsh took, reading its file included
+  };
+
+  /// The mesh for `cells`, with or without the crack on faces; made once. Throws InputError when Gmsh fails.
+  const Made& mesh(const std::string& geometry, int cells, bool faces);
 
  private:
-  std::filesystem::path folder_;  // of the mesh files, of this object's own
+  std::filesystem::path folder_;      // of the mesh file, of this object's own
+  std::map<std::string, Made> made_;  // by command
 };
 
 }  // namespace incision::report

@@ -4,11 +4,11 @@
 int main(int argc, char** argv) {
   using namespace incision::report;
   Findings findings(argc, argv);
-  const Gmsh gmsh;
-  studyBending(gmsh, &findings);
+  Gmsh gmsh;
+  studyBending(&gmsh, &findings);
   compareSolvers(&findings);
   for (const Problem& problem : {cantilever(), splitCantilever(), doubleCantileverBeam(), edgeCrack(), pennyCrack()})
-    study(problem, gmsh, &findings);
+    study(problem, &gmsh, &findings);
   claimConvergence(&findings);
   return findings.write();
 }

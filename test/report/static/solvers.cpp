@@ -20,7 +20,7 @@ void compareSolvers(Findings* findings) {
                                            {"iterative_ms", iterative.ms},
                                            {"iterations", iterative.iterations}});
   }
-  findings->claimBelow("cantilever: strain energy by the iterative against the direct solver, relative", apart, 1e-5);
+  findings->claimBelow("cantilever: strain energy by the iterative against the direct solver, relative", apart, 2e-4);
 }
 
 }  // namespace incision::report

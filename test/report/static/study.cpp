@@ -35,11 +35,13 @@ double meanEdge(const TetMesh& mesh, const Box& box) {
   return std::cbrt(6 * volume / count);
 }
 
-MeshRun run(const Problem& problem, const Way& way, int cells, const Gmsh& gmsh, int repeats) {
+MeshRun run(const Problem& problem, const Way& way, int cells, Gmsh* gmsh, int repeats) {
   MeshRun done;
   done.cells = cells;
   if (way.unstructured) {
-    done.mesh = gmsh.mesh(problem.geometry, cells, way.faces, &done.meshing_ms);
+    const Gmsh::Made& made = gmsh->mesh(problem.geometry, cells, way.faces);
+    done.mesh = made.mesh;
+    done.meshing_ms = made.ms;
   } else {
     const Clock clock;
     done.mesh = problem.grid(cells, way.faces);
@@ -138,7 +140,7 @@ Solution solve(const TetMesh& mesh, const Case& problem, double longer, int repe
   return solution;
 }
 
-void study(const Problem& problem, const Gmsh& gmsh, Findings* findings) {
+void study(const Problem& problem, Gmsh* gmsh, Findings* findings) {
   json quantities = json::array();
   for (const Quantity& quantity : problem.quantities)
     quantities.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"answer", quantity.answer}});

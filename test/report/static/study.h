@@ -32,10 +32,10 @@ struct Curve {
 };
 
 /// Runs a problem on all its meshes; data["problems"] and the claims get what it finds.
-void study(const Problem& problem, const Gmsh& gmsh, Findings* findings);
+void study(const Problem& problem, Gmsh* gmsh, Findings* findings);
 
 /// data["bending"]: a field that is known everywhere.
-void studyBending(const Gmsh& gmsh, Findings* findings);
+void studyBending(Gmsh* gmsh, Findings* findings);
 
 /// Claims from data["problems"].
 void claimConvergence(Findings* findings);
