@@ -21,7 +21,7 @@ def draw_locking(axes, data):
     found = data['locking']
     places = np.arange(len(found['poisson']))
     reference = np.array(found['quadratic'])
-    axes.plot(places, np.array(found['coarse']) / reference, label='quadratic bricks, half as many', **curve(0))
+    axes.plot(places, np.array(found['coarse']) / reference, label='quadratic bricks, half as many across', **curve(0))
     for k, tets in enumerate(reversed(found['tetrahedra'])):
         axes.plot(places, np.array(tets['deflection']) / reference, label=f'linear tetrahedra, {tets["cells"]} cells across',
                   **curve(k + 1))

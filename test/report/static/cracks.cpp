@@ -10,6 +10,9 @@ namespace {
 constexpr double PI = 3.14159265358979323846;
 constexpr double E = 1e6, TENSION = 1e3;
 
+const std::vector<Way> ALL_WAYS = {{false, true}, {false, false}, {false, false, true},
+                                   {true, true},  {true, false},  {true, false, true}};
+
 /// A body pulled at z = ±half. The loads balance; so that it cannot drift, a patch of one end is held, which moves as
 /// one as long as nothing but tension reaches it: ν = 0.
 RigSettings pulled(double half, const Box& patch) {
@@ -85,7 +88,7 @@ Case pulledBlock(double radius) {
 Problem edgeCrack() {
   Problem problem;
   problem.name = "edge crack";
-  problem.ways = {{false, true}, {false, false}, {true, true}, {true, false}, {true, false, true}};
+  problem.ways = ALL_WAYS;
   // An odd number of cells along has no faces in the crack; its front is on faces in either grid.
   problem.grid = [](int n, bool faces) { return gradedPlate(n, faces ? 2 * n : 2 * n + 1); };
   problem.geometry = "plate.geo";
@@ -118,7 +121,7 @@ Problem pennyCrack() {
   constexpr double LARGE = 1.2, SMALL = 0.8;
   Problem problem;
   problem.name = "penny crack";
-  problem.ways = {{false, true}, {false, false}, {true, true}, {true, false}, {true, false, true}};
+  problem.ways = ALL_WAYS;
   problem.grid = [](int n, bool) { return gradedBlock(n); };
   problem.geometry = "block.geo";
   problem.fine = {Vec3::Constant(-FINE_HALF), Vec3::Constant(FINE_HALF)};
