@@ -162,39 +162,39 @@ def missing_text(data):
     plain, longer = ([100 * abs(f['points'][-1]['error']) for _, f in cracks(data)
                       if not f['faces'] and f['longer'] == wanted] for wanted in (False, True))
     conforming = [100 * abs(f['points'][-1]['error']) for _, f in cracks(data) if f['faces']]
-    return (f'Where a crack ends in the body it acts as if it were shorter: by {span(ends[True])} of an element\'s edge '
-            f'when it lies on faces, by {span(ends[False])} when it goes through elements. So does any crack in linear '
-            'elements, which cannot follow the square root at its front; a cut element beside the front, whose copies '
-            'the front holds together, adds the rest. Both shrink with the edge, at first order, and so do the errors of '
-            'K_I and of the volume: that is why a conforming mesh wins here. The remedy is simple, as the lack is nearly '
-            'the same share of an edge everywhere. *Made longer* is the crack inside elements, cut 0.8 edges '
-            f'farther: on the finest meshes its errors are {span(longer, ".1f")} % instead of {span(plain, ".1f")} %, '
-            f'where those of the conforming meshes are {span(conforming, ".1f")} %. The 0.8 comes from these two cracks, '
-            'a straight and a round front. Who wants fracture mechanics from a cut cuts it so much longer, or refines at '
-            'its front.')
+    return (f'Where a crack ends in the body it acts as if it were shorter: by {span(ends[True])} of an element\'s '
+            f'edge when it lies on faces, by {span(ends[False])} when it goes through elements. So does any crack in '
+            'linear elements, which cannot follow the square root at its front; a cut element beside the front, '
+            'whose copies the front holds together, adds the rest. Both shrink with the edge, at first order, and '
+            'so do the errors of K_I and of the volume: that is why a conforming mesh wins here. The remedy is '
+            'simple, as the lack is nearly the same share of an edge everywhere. *Made longer* is the crack inside '
+            f'elements, cut 0.8 edges farther: on the finest meshes its errors are {span(longer, ".1f")} % instead '
+            f'of {span(plain, ".1f")} %, where those of the conforming meshes are {span(conforming, ".1f")} %. The '
+            '0.8 comes from these two cracks, a straight and a round front. Who wants fracture mechanics from a cut '
+            'cuts it so much longer, or refines at its front.')
 
 
 def gave_up_text(data):
-    points = [p for problem in data['problems'] for p in
-              (p for found in problem['quantities'][-1]['curves'] for p in found['points'])]
-    count = sum(p['gave_up'] for p in points)
-    return (f'In {count} of {len(points)} bodies the iteration, which works in single precision, gave up and the direct '
-            'solver took over, which the time includes: without inertia a slender or loosely held body is stiffer in '
-            'its cells than as a whole by a factor that single precision hardly holds.')
+    points = [p for problem in data['problems'] for quantity in problem['quantities'] for found in quantity['curves']
+              for p in found['points']]
+    return (f'At {sum(p["gave_up"] for p in points)} of the {len(points)} points of the curves the iteration, which '
+            'works in single precision, gave up and the direct solver took over, which the time includes: without '
+            'inertia a slender or loosely held body is stiffer in its cells than as a whole by a factor that single '
+            'precision hardly holds.')
 
 
 def render(data, draw):
     beams = [r for name in ('split cantilever', 'double cantilever beam')
              for r in inside_over_faces(find(data, name, '')).values() if r]
     return '\n\n'.join([
-        'Each problem has an answer of its own: Timoshenko\'s beam, or linear elastic fracture mechanics. The load is '
-        'small, warping is off, and one long step of an almost massless body is the static answer. The time is that of '
-        'the whole job on a mesh in memory, with two threads: topology, the cut, assembly, and one solve to the default '
-        'tolerance (two or three for an energy release rate). Making the mesh is not in it. ν = 0, so that a clamp '
-        'takes nothing from beam theory and the plate is plane. The answers come from the strain energy, which under '
-        'a dead load is half of load times way; its growth with the crack is the energy release rate. The rates and '
-        'K_I are means over a growth of the crack, from two cracks in the same mesh, and so are the answers they are '
-        'held against. A beam\'s error is that of its stiffness.',
+        'Each problem has an answer of its own: Timoshenko\'s beam, or linear elastic fracture mechanics. The load '
+        'is small, warping is off, and one long step of an almost massless body is the static answer. The time is '
+        'that of the whole job on a mesh in memory, with two threads: topology, the cut, assembly, and one solve to '
+        'the default tolerance (two or three for an energy release rate). Making the mesh is not in it. ν = 0, so '
+        'that a clamp takes nothing from beam theory and the plate is plane. The answers come from the strain '
+        'energy, which under a dead load is half of load times way; its growth with the crack is the energy release '
+        'rate. The rates and K_I are means over a growth of the crack, from two cracks in the same mesh, and so are '
+        'the answers they are held against. A beam\'s error is that of its stiffness.',
         '### Without a crack', draw_whole(data, draw), solver_text(data),
         '### Cut through elements, or on faces',
         'A crack on faces is what a mesh that conforms to it gives: no element is split. On the grid an odd number of '
@@ -205,9 +205,8 @@ def render(data, draw):
         f'and {max(beams):.2f} times the error of the conforming mesh at equal time: nothing is lost that a finer mesh '
         'of a few per cent would not bring back, and nothing needs to be meshed again. ' + missing_text(data),
         orders_table(data),
-        '*Order*: slope over the finest four meshes; *edge*: cube root of six times the elements\' mean volume, near '
-        'the crack. *Error at edge 0*: by the line through the finest four over the power of the edge that theory gives, '
-        '2 for beams and 1 where a crack ends; what is left there is the mesh\'s luck with the front, the end of the '
-        'block (one or two per cent, see the next section) and the answer\'s own error (0.5 % for the edge crack\'s '
-        'polynomial). On the grid the front of the '
-        'penny crack is a staircase.'])
+        '*Order*: slope over the finest four meshes; *edge*: cube root of six times the elements\' mean volume, '
+        'near the crack. *Error at edge 0*: by the line through the finest four over the power of the edge that '
+        'theory gives, 2 for beams and 1 where a crack ends; what is left there is the mesh\'s luck with the front, '
+        'the end of the block (one or two per cent, see the next section) and the answer\'s own error (0.5 % for '
+        'the edge crack\'s polynomial). On the grid the front of the penny crack is a staircase.'])

@@ -88,6 +88,15 @@ Curve curveOf(const json& points) {
   return curve;
 }
 
+json describe(const Way& way, const json& points, int order) {
+  const Curve curve = curveOf(points);
+  return {{"faces", way.faces},          {"unstructured", way.unstructured},
+          {"longer", way.longer},        {"points", points},
+          {"order", curve.order()},      {"expected_order", order},
+          {"limit", curve.limit(order)}, {"constant", curve.constant(order)}};
+}
+
+/// Σ F² [N²] over the resultants of the loads.
 double squaresOfResultants(const CutMesh& mesh, const std::vector<Load>& loads) {
   double sum = 0;
   for (const std::vector<Vec3>& forces : loadForces(mesh, loads)) {
@@ -157,17 +166,8 @@ void study(const Problem& problem, Gmsh* gmsh, Findings* findings) {
         std::printf("%s\n", (problem.name + ": " + way.name() + ": " + points[q].back().dump()).c_str());
       }
     }
-    for (std::size_t q = 0; q < points.size(); ++q) {
-      const Curve curve = curveOf(points[q]);
-      quantities[q]["curves"].push_back({{"faces", way.faces},
-                                         {"unstructured", way.unstructured},
-                                         {"longer", way.longer},
-                                         {"points", points[q]},
-                                         {"order", curve.order()},
-                                         {"expected_order", problem.order},
-                                         {"limit", curve.limit(problem.order)},
-                                         {"constant", curve.constant(problem.order)}});
-    }
+    for (std::size_t q = 0; q < points.size(); ++q)
+      quantities[q]["curves"].push_back(describe(way, points[q], problem.order));
   }
   if (cut) findings->claim(problem.name + ": a crack on faces splits no element, any other splits some", as_meant);
   findings->data()["problems"].push_back({{"name", problem.name}, {"quantities", quantities}});
