@@ -25,7 +25,7 @@ def scene(mesh, density, time_step, poisson=POISSON, mass='lumped', loaded=(END,
             'boundary': [{'box': CLAMP}],
             'loads': [{'box': box, 'traction': [0, 0, STRESS]} for box in loaded],
             'cuts': [{'time': 0, 'label': 'middle', 'point': point, 'normal': [0, 0, 1]} for point in cuts],
-            'solver': {'time_step': time_step, 'method': 'direct'}}
+            'solver': {'time_step': time_step, 'method': 'direct', 'integrator': 'euler'}}
 
 
 def batch(folder, described, *options):
