@@ -4,35 +4,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "support/rig.h"
+#include "support/penny_crack.h"
 
 namespace incision::test {
 namespace {
 
-constexpr double RADIUS = 1, HALF = 4, TENSION = 1e3, YOUNG = 1e6, POISSON = 0.3;  // [m], [m], [Pa], [Pa]
-
-/// A block with its centre at the origin; most of its cells lie round the crack.
-TetMesh gradedBlock(int cells) {
-  constexpr double FINE = 1.3, CELLS = 0.7;  // half the width of the fine region [m], and its share of the cells
-  TetMesh mesh = block({cells, cells, cells}, Vec3::Constant(2), Vec3::Constant(-1));
-  for (Vec3& X : mesh.nodes)
-    for (double& s : X) {
-      const double beyond = std::max(0.0, (std::abs(s) - CELLS) / (1 - CELLS));
-      s = std::copysign(FINE * std::min(std::abs(s) / CELLS, 1.0) + (HALF - FINE) * std::pow(beyond, 1.5), s);
-    }
-  return mesh;
-}
-
-/// The disc z = 0, r < RADIUS.
-CrackField disc(const CutMesh& mesh, const std::vector<Vec3>& x) {
-  CrackField field = planeField(plane(Vec3::Zero(), Vec3::UnitZ()), mesh, x);
-  field.contains = [&](int part, const Barycentric& point) {
-    Vec3 y = Vec3::Zero();
-    for (int I = 0; I < 4; ++I) y += point[I] * x[mesh.parts()[part].copies[I]];
-    return y.head<2>().norm() < RADIUS;
-  };
-  return field;
-}
+constexpr double RADIUS = 1, TENSION = 1e3, YOUNG = 1e6, POISSON = 0.3;  // [m], [Pa]
 
 /// Volume [m³] between the faces of the disc.
 double openedVolume(const Rig& rig, const Insertion& done) {
@@ -64,14 +41,13 @@ double openedVolume(const Rig& rig, const Insertion& done) {
 double openedShare(int cells) {
   const double exact = 16 * (1 - POISSON * POISSON) * TENSION * std::pow(RADIUS, 3) / (3 * YOUNG);
   RigSettings settings = statics(YOUNG, POISSON);
-  settings.material.density = 1;  // holds the block, which nothing else does, at a millionth of its stiffness
+  // Holds the block, which nothing else does. With a tenth of it the iterative solver finds the block too loose.
+  settings.material.density = 10;
   settings.solver = {1, Method::ITERATIVE, 1e-9, 2};
-  settings.conditions.loads = {{slab(2, HALF), Vec3(0, 0, TENSION), 0}, {slab(2, -HALF), Vec3(0, 0, -TENSION), 0}};
+  settings.conditions.loads = {{slab(2, BLOCK_HALF), Vec3(0, 0, TENSION), 0},
+                               {slab(2, -BLOCK_HALF), Vec3(0, 0, -TENSION), 0}};
   Rig rig(gradedBlock(cells), settings);
-  const Insertion done = rig.mesh.insert(disc(rig.mesh, rig.motion.x));
-  rig.motion.x = restPositions(rig.mesh);
-  rig.motion.v.assign(rig.motion.x.size(), Vec3::Zero());
-  rig.step.topologyChanged(rig.motion, done.touched);
+  const Insertion done = rig.cut(disc(RADIUS, rig.mesh, rig.motion.x));
   EXPECT_TRUE(rig.advance());
   return openedVolume(rig, done) / exact;
 }

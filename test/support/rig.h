@@ -102,8 +102,10 @@ class Rig {
 
   Rig(const Rig&) = delete;  // the step refers to the mesh
 
-  Insertion cut(const PlaneCut& plane) {
-    const Insertion done = mesh.insert(planeField(plane, mesh, motion.x));
+  Insertion cut(const PlaneCut& plane) { return cut(planeField(plane, mesh, motion.x)); }
+
+  Insertion cut(const CrackField& crack) {
+    const Insertion done = mesh.insert(crack);
     for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
       motion.x.push_back(motion.x[mesh.copyParent(c)]);
       motion.v.push_back(motion.v[mesh.copyParent(c)]);

@@ -1,0 +1,91 @@
+// A bar bent to a circle, ν = 0: u = κ (−x z, 0, x²/2) is exact, so that the error has norms.
+#include <cmath>
+
+#include "report/static/clock.h"
+#include "report/static/study.h"
+
+namespace incision::report {
+namespace {
+
+constexpr double E = 1e6, L = 1, H = 0.2, CURVATURE = 1e-3;  // [Pa], [m], [1/m]
+
+Vec3 exactField(const Vec3& X) {
+  const double z = X.z() - H / 2;
+  return CURVATURE * Vec3(-X.x() * z, 0, X.x() * X.x() / 2);
+}
+
+/// Holds the ends; the nodes at x = L go where the field takes them in the one step of a second.
+RigSettings bentEnds(const TetMesh& mesh) {
+  RigSettings settings = statics(E, 0);
+  settings.solver.method = Method::AUTO;
+  settings.solver.threads = 2;
+  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  const Vec3 reach = Vec3::Constant(1e-9);
+  for (const Vec3& X : mesh.nodes)
+    if (slab(0, L).contains(X)) settings.conditions.holds.push_back({{X - reach, X + reach}, exactField(X)});
+  return settings;
+}
+
+/// ‖u_h − u‖ / ‖u‖ in L², by four points an element.
+double distance(const TetMesh& mesh, const std::vector<Vec3>& u) {
+  constexpr double NEAR = 0.58541019662496845, FAR = 0.13819660112501052;
+  double error = 0, size = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (int point = 0; point < 4; ++point) {
+      Vec3 X = Vec3::Zero(), u_h = Vec3::Zero();
+      for (int I = 0; I < 4; ++I) {
+        X += (I == point ? NEAR : FAR) * mesh.nodes[mesh.elements[e][I]];
+        u_h += (I == point ? NEAR : FAR) * u[mesh.elements[e][I]];
+      }
+      const double volume = elementVolume(mesh, static_cast<int>(e));
+      error += volume * (u_h - exactField(X)).squaredNorm();
+      size += volume * exactField(X).squaredNorm();
+    }
+  }
+  return std::sqrt(error / size);
+}
+
+nlohmann::json point(const TetMesh& mesh, int cells, int repeats) {
+  const double exact_energy = 0.5 * E * CURVATURE * CURVATURE * std::pow(H, 4) / 12 * L;
+  nlohmann::json result = {{"cells", cells},
+                           {"edge", std::cbrt(6 * L * H * H / static_cast<double>(mesh.elements.size()))},
+                           {"elements", mesh.elements.size()}};
+  const RigSettings settings = bentEnds(mesh);
+  result["ms"] = medianTime(repeats, [&] {
+    Rig rig(mesh, settings);
+    if (!rig.advance()) throw InputError("the bent bar could not be solved");
+    result["freedoms"] = 3 * rig.mesh.numCopies();
+    result["displacement"] = distance(mesh, rig.displacements());
+    // The ends have the exact displacements: ‖u_h − u‖² = ‖u_h‖² − ‖u‖² in the energy norm.
+    result["energy"] = std::sqrt(rig.step.assembly().elasticEnergy(rig.motion.x) / exact_energy - 1);
+  });
+  return result;
+}
+
+}  // namespace
+
+void studyBending(Gmsh* gmsh, Findings* findings) {
+  const bool quick = findings->quick();
+  for (const bool unstructured : {false, true}) {
+    nlohmann::json points;
+    for (const int n : quick ? std::vector<int>{4, 6, 8, 12} : std::vector<int>{4, 6, 8, 12, 16}) {
+      const TetMesh mesh = unstructured ? gmsh->mesh("bar.geo", n, true).mesh : block({5 * n, n, n}, Vec3(L, H, H));
+      points.push_back(point(mesh, n, quick ? 1 : 3));
+    }
+    nlohmann::json kind = {{"unstructured", unstructured}, {"points", points}};
+    for (const char* norm : {"displacement", "energy"}) {
+      Curve curve;
+      for (const nlohmann::json& p : points) {
+        curve.edges.push_back(p["edge"]);
+        curve.errors.push_back(p[norm]);
+      }
+      kind["order"][norm] = curve.order();
+    }
+    findings->data()["bending"].push_back(kind);
+    const std::string name = std::string("bent bar, ") + (unstructured ? "Gmsh" : "grid");
+    findings->claimAbove(name + ": order in the L² norm of the displacement", kind["order"]["displacement"], 1.8);
+    findings->claimAbove(name + ": order in the energy norm", kind["order"]["energy"], 0.9);
+  }
+}
+
+}  // namespace incision::report
