@@ -151,6 +151,19 @@ void strokes(Matrix* matrix) {
   }
 }
 
+/// A cut given in the body at rest, where its first element has carried it.
+PlaneCut carried(PlaneCut cut, const Rig& body) {
+  const Part& part = body.mesh.parts()[0];
+  const auto& x = body.motion.x;
+  const auto& c = part.copies;
+  const RestElement rest = restElements(body.mesh.mesh())[part.element];
+  const Mat3 F = gradient(x[c[0]], x[c[1]], x[c[2]], x[c[3]], rest);
+  cut.point = x[c[0]] + F * (cut.point - body.mesh.mesh().nodes[body.mesh.copyNode(c[0])]);
+  cut.normal = F * cut.normal;
+  cut.tangent = F * cut.tangent;
+  return cut;
+}
+
 /// A small body, thrown and cut now and then.
 void longRun(Matrix* matrix) {
   const int steps = matrix->quick() ? 3000 : 100000;
@@ -169,10 +182,7 @@ void longRun(Matrix* matrix) {
       throwApart(&body);
     int k = 0;
     body.take(steps, steps / 100, [&] {
-      if (++k % (steps / 10) != steps / 20) return;
-      PlaneCut cut = random.rectangle(box, 0.2, 0.6);
-      cut.point += body.motion.x[0] - body.mesh.mesh().nodes[0];
-      body.cut(cut);
+      if (++k % (steps / 10) == steps / 20) body.cut(carried(random.rectangle(box, 0.2, 0.6), body));
     });
     const std::string name = std::to_string(steps) + " steps with " + std::to_string(body.mesh.numCracks()) +
                              " cuts, " + (held ? "held" : "free");

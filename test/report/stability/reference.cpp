@@ -61,7 +61,7 @@ struct Sums {
   std::vector<Real> mass, diagonal, rounding;
 };
 
-/// Δt² K + Δt β K = factor K.
+/// Adds what a part brings to both sides; Δt C + Δt² K holds factor K.
 void addPart(const Rig& rig, const RigSettings& settings, const Motion& before, const std::vector<Vec3>& dv, Real reach,
              int p, Sums* sums) {
   const Material& material = settings.material;

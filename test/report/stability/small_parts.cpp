@@ -66,6 +66,27 @@ double errorOfSinking(const Watched& body, double length) {
   return std::abs(sunk[needle] / mass[needle] / exact - 1);
 }
 
+/// The same corners with consistent mass, which knows how small they are: they spin as fast as their size lets them.
+void aloneWithConsistentMass(Matrix* matrix) {
+  for (const Method method : METHODS) {
+    Worst drift, kinetic;
+    for (int k = 1; k <= 12; ++k) {
+      RigSettings settings = freeBody(method);
+      settings.mass = Mass::CONSISTENT;
+      Watched body(block({5, 4, 4}, CELL * Vec3(5, 4, 4)), settings);
+      body.cut(plane(CELL * std::cbrt(6 * std::pow(10, -k)) / 3 * Vec3::Ones(), Vec3::Ones()));
+      throwApart(&body);
+      body.take(20, 0);
+      drift.add(body.seen().finite ? body.seen().drift : -1);
+      kinetic.add(body.seen().kinetic_growth);
+    }
+    const std::string with = std::string("alone, consistent mass, ") + nameOf(method);
+    matrix->add(with + ": momentum", drift.figure(), method == Method::DIRECT ? 1e-11 : 1e-6,
+                "rounding of the forces, or the tolerance, over mass × speed");
+    matrix->add(with + ": growth of the kinetic energy", kinetic.figure(), GROWTH_BOUND, "no force acts");
+  }
+}
+
 /// Needles that hang from the top: along the edge of a block, and through its elements without a node inside.
 void chains(Matrix* matrix) {
   Worst residual, growth, sinking;
@@ -122,6 +143,7 @@ void bridges(Matrix* matrix) {
 void smallParts(Matrix* matrix) {
   matrix->begin("Parts of 1e-1 to 1e-12 of an element");
   alone(matrix);
+  aloneWithConsistentMass(matrix);
   chains(matrix);
   bridges(matrix);
   matrix->end();
