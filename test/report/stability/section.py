@@ -20,7 +20,7 @@ def exponent(value):
 def number(value):
     if value is None:
         return 'not finite'
-    return '0' if value == 0 else f'{value:.2g}'
+    return '0' if value == 0 else f'{value:.3g}'
 
 
 def draw_map(axes, rows, text, shade, title):
@@ -133,6 +133,8 @@ case, with its reason. Residuals are held against a plain program in long double
 that assembles the step's equation part by part, with rotations of its own. The figure is the worst piece's residual as
 a share of what is asked: the tolerance, or what rounding of the positions does to the forces. Energies count gravity and
 contact; momentum is compared with that of the loads. Both methods run every case where the choice matters.
+Ranges that no law gives are where this measurement put their edge: the factors 0.1 and 1000 below, crossing planes at
+3e-3 rad, thinness of 1e-5, Δt²E/(ρh²) of 1e14.
 
 ### Stiffness and step
 
