@@ -5,9 +5,10 @@
 
 namespace incision {
 
-/// Factorises small groups of pieces and iterates on the others. Groups do not touch each other's unknowns, so each
-/// solver takes the other's copies for held. Small pieces are where an iteration does worst: fragments much thinner
-/// than their elements are beyond float, and they cost a factorisation next to nothing.
+/// Factorises some groups of pieces and iterates on the others. Groups do not touch each other's unknowns, so each
+/// solver takes the other's copies for held. Factorised are those on which an iteration does worst:
+/// - small ones: fragments much thinner than their elements are beyond float, and they cost next to nothing;
+/// - free ones so stiff that a float matrix has no digits left for their mass, which alone resists a rigid motion.
 class PiecewiseSolver : public LinearSolver {
  public:
   /// Groups of up to `direct_up_to` free copies are factorised.
@@ -20,8 +21,11 @@ class PiecewiseSolver : public LinearSolver {
                    std::vector<Vec3>* dv) override;
 
  private:
+  std::vector<bool> directGroups(const Assembly& assembly, const SystemChange& change,
+                                 const SystemFactors& factors) const;
+
   int direct_up_to_;
-  bool any_small_ = false, any_large_ = false;
+  bool any_direct_ = false, any_iterative_ = false;
   DirectSolver direct_;
   IterativeSolver iterative_;
 };

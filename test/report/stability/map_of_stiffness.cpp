@@ -1,0 +1,98 @@
+#include <cmath>
+
+#include "stability.h"
+#include "watched.h"
+
+namespace incision::report {
+namespace {
+
+constexpr double CELL = 0.1, LENGTH = 1, DENSITY = 1000, G = 9.81;
+
+/// The stress [Pa] of the bar's weight where it hangs down.
+constexpr double TENSION = DENSITY * G * LENGTH;
+
+/// A bar that is held at one end, slit beside it, and begins to fall at rest.
+class SlitBar : public Watched {
+ public:
+  SlitBar(double young_modulus, double poisson_ratio, double dt, Method method)
+      : Watched(block({10, 3, 3}, Vec3(LENGTH, 3 * CELL, 3 * CELL)),
+                settingsOf(young_modulus, poisson_ratio, dt, method)) {
+    cut(rectangle(Vec3(0.42, 0.1, 0.3), Vec3(1, 0.1, 0.2), Vec3::UnitZ(), 0.4, 0));
+    startWatching();
+  }
+
+ private:
+  static RigSettings settingsOf(double young_modulus, double poisson_ratio, double dt, Method method) {
+    RigSettings settings;
+    settings.material = {young_modulus, poisson_ratio, DENSITY, 0, 0};
+    settings.conditions.gravity = Vec3(0, 0, -G);
+    settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+    settings.solver = {dt, method, 1e-6, 1};
+    return settings;
+  }
+};
+
+/// The step takes the dead tension of the weight as it stands at its start. So a wave along the tension, of the speed
+/// √(σ/ρ), must pass less than an element a step; a tenth of one where the bar is stretched so far that elements turn
+/// inside out. Where the material resists a thousand times as much, any step will do.
+bool energyMustNotGrow(double young_modulus, double time_step) {
+  const double elements = std::sqrt(TENSION / DENSITY) * time_step / CELL;
+  return young_modulus > 1000 * TENSION || elements < (young_modulus > TENSION ? 1 : 0.1);
+}
+
+}  // namespace
+
+void mapOfStiffness(Matrix* matrix) {
+  const int count = matrix->quick() ? 6 : 11, steps = matrix->quick() ? 40 : 200;
+  nlohmann::json& map = matrix->data()["map"] = nlohmann::json::array();
+  matrix->begin("E from 1e2 to 1e12 Pa × Δt from 1e-5 to 1 s, a slit bar that falls");
+  for (const Method method : METHODS) {
+    Worst residual, growth, growth_beyond;
+    int failed = 0;
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < count; ++j) {
+        const double E = std::pow(10, 2 + 10.0 * i / (count - 1)), dt = std::pow(10, -5 + 5.0 * j / (count - 1));
+        SlitBar bar(E, 0.45, dt, method);
+        bar.take(steps);
+        const Watch& seen = bar.seen();
+        failed += !seen.finite;
+        residual.add(seen.residual_share);
+        (energyMustNotGrow(E, dt) ? growth : growth_beyond).add(seen.growth);
+        map.push_back({{"method", nameOf(method)},
+                       {"E", E},
+                       {"dt", dt},
+                       {"finite", seen.finite},
+                       {"growth", seen.growth},
+                       {"iterations", seen.iterations},
+                       {"residual", seen.residual},
+                       {"claimed", energyMustNotGrow(E, dt)}});
+      }
+    const std::string with = std::string(", ") + nameOf(method);
+    matrix->add("combinations with a failed step" + with, failed, 0, "every step can be taken");
+    matrix->add("residual" + with, residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
+    matrix->add("energy growth, √(σ/ρ)Δt/h < 1 (0.1 for E < σ), or E > 1000 σ" + with, growth.figure(), GROWTH_BOUND,
+                GROWTH_REASON);
+    matrix->addLimit("energy growth beyond, where the tension σ is the weight's" + with, growth_beyond.figure(),
+                     GROWTH_BOUND, GROWTH_REASON);
+  }
+  matrix->end();
+
+  nlohmann::json& poisson = matrix->data()["poisson"] = nlohmann::json::array();
+  matrix->begin("ν from 0 to 0.4999, the same bar, E = 1e5 Pa, Δt = 0.01 s");
+  for (const Method method : METHODS) {
+    Worst residual, growth;
+    for (const double nu : {0.0, 0.3, 0.45, 0.49, 0.499, 0.4999}) {
+      SlitBar bar(1e5, nu, 0.01, method);
+      bar.take(steps);
+      residual.add(bar.seen().finite ? bar.seen().residual_share : -1);
+      growth.add(bar.seen().growth);
+      poisson.push_back({{"method", nameOf(method)}, {"nu", nu}, {"iterations", bar.seen().iterations}});
+    }
+    const std::string with = std::string(", ") + nameOf(method);
+    matrix->add("residual" + with, residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
+    matrix->add("energy growth" + with, growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+  }
+  matrix->end();
+}
+
+}  // namespace incision::report
