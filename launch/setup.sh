@@ -31,10 +31,12 @@ install_packages() {
 }
 
 # configure FOLDER [-DOPTION=VALUE]...: configures a build folder unless it was configured with these options before.
+# A newer checkout may have targets that make would not know of.
 configure() {
-  local folder="$1" stamp="$1/.configured_with"
+  local folder="$1" stamp="$1/.configured_with" newer
   shift
-  [[ -f $folder/CMakeCache.txt && $(cat "$stamp" 2>/dev/null) == "$*" ]] && return
+  newer=$(find "$ROOT/CMakeLists.txt" "$ROOT/config/cmake" -newer "$stamp" 2>/dev/null || echo all)
+  [[ -z $newer && $(cat "$stamp") == "$*" ]] && return
   cmake -S "$ROOT" -B "$folder" "$@"
   echo "$*" >"$stamp"
 }
