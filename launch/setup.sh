@@ -36,7 +36,7 @@ configure() {
   local folder="$1" stamp="$1/.configured_with" newer
   shift
   newer=$(find "$ROOT/CMakeLists.txt" "$ROOT/config/cmake" -newer "$stamp" 2>/dev/null || echo all)
-  [[ -z $newer && $(cat "$stamp") == "$*" ]] && return
+  [[ -z $newer && -f $folder/CMakeCache.txt && $(cat "$stamp") == "$*" ]] && return
   cmake -S "$ROOT" -B "$folder" "$@"
   echo "$*" >"$stamp"
 }

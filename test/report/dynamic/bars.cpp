@@ -75,18 +75,6 @@ Run simulate(const Bar& bar, const Scheme& scheme, const Choice& choice) {
   return run;
 }
 
-Run simulateTimed(const Bar& bar, const Scheme& scheme, const Choice& choice, int repeats) {
-  Run run;
-  std::vector<double> ms;
-  for (int k = 0; k < repeats; ++k) {
-    run = simulate(bar, scheme, choice);
-    ms.push_back(run.ms);
-  }
-  std::nth_element(ms.begin(), ms.begin() + repeats / 2, ms.end());
-  run.ms = ms[repeats / 2];
-  return run;
-}
-
 double errorAgainst(const Run& reference, int reference_cells, const Run& run, int run_cells, int cells) {
   if (!run.done) return std::numeric_limits<double>::infinity();
   const std::vector<int> theirs = coarseNodes(cells, reference_cells / cells),

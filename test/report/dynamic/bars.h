@@ -49,9 +49,6 @@ struct Run {
 
 Run simulate(const Bar& bar, const Scheme& scheme, const Choice& choice);
 
-/// The median wall time of `repeats` runs.
-Run simulateTimed(const Bar& bar, const Scheme& scheme, const Choice& choice, int repeats);
-
 /// Root mean square over the nodes of the distance from where the reference has them, at the worst sample, relative to
 /// the reference's largest root mean square displacement. The nodes compared are those of a grid `cells` across, which
 /// both meshes have. Infinite where a run was not done.
