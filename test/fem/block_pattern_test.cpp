@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/fan_mesh.h"
 #include "support/rig.h"
 
 namespace incision {
@@ -74,16 +75,7 @@ TEST(BlockPattern, EditedAfterCutsIsTheOneBuiltAnew) {
 // A fan of elements round an edge whose ends have more neighbours than a slot can tell apart.
 TEST(BlockPattern, TakesRowsOfAnyWidth) {
   constexpr int RIM = 66000;
-  TetMesh fan;
-  fan.nodes = {Vec3(0, 0, -1), Vec3(0, 0, 1)};
-  for (int i = 0; i < RIM; ++i) {
-    const double angle = 2 * M_PI * i / RIM;
-    fan.nodes.emplace_back(std::cos(angle), std::sin(angle), 0);
-    fan.elements.push_back({0, 1, 2 + i, 2 + (i + 1) % RIM});
-  }
-  for (auto& e : fan.elements)
-    if (sixVolumes(fan.nodes[e[0]], fan.nodes[e[1]], fan.nodes[e[2]], fan.nodes[e[3]]) < 0) std::swap(e[2], e[3]);
-  const CutMesh mesh(fan);
+  const CutMesh mesh(fanMesh(RIM));
   Assembly assembly(mesh, {}, Mass::LUMPED, Pressure::ELEMENT, true, 1);
   assembly.topologyChanged(restPositions(mesh));
   BlockPattern pattern;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "support/deformed_mesh.h"
+#include "support/fan_mesh.h"
 #include "support/rig.h"
 
 namespace incision {
@@ -59,13 +60,7 @@ TEST(EdgeClusters, OfElementsInAnyOrderAreOfMiddlingSize) {
 
 TEST(EdgeClusters, AnEdgeWithTooManyElementsMakesNone) {
   constexpr int RIM = 1000;
-  TetMesh fan;
-  fan.nodes = {Vec3(0, 0, -1), Vec3(0, 0, 1)};
-  for (int i = 0; i < RIM; ++i) {
-    const double angle = 2 * M_PI * i / RIM;
-    fan.nodes.emplace_back(std::cos(angle), std::sin(angle), 0);
-    fan.elements.push_back({0, 1, 2 + i, 2 + (i + 1) % RIM});
-  }
+  const TetMesh fan = fanMesh(RIM);
   EXPECT_EQ(sizesOf(edgeClusters(fan, buildTopology(fan))), std::vector<int>(RIM, 1));
 }
 

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "incision/mesh/mesh_io.h"
-#include "report/locking/folder.h"
+#include "report/temporary_folder.h"
 #include "support/rig.h"
 
 namespace incision::report {
@@ -19,7 +19,7 @@ TetMesh Problem::grid(int refinement) const {
 }
 
 TetMesh Problem::unstructured(int refinement) const {
-  const Folder folder;
+  const TemporaryFolder folder;
   std::ofstream geometry(folder.file("box.geo"));
   geometry << "SetFactory(\"OpenCASCADE\");\nBox(1) = {" << origin.x() << ',' << origin.y() << ',' << origin.z() << ','
            << size.x() << ',' << size.y() << ',' << size.z() << "};\n";

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "report/locking/folder.h"
+#include "report/temporary_folder.h"
 
 namespace incision::report {
 namespace {
@@ -156,7 +156,7 @@ std::map<int, Vec3> readNodes(const std::string& path) {
 
 double reference(const Problem& problem, double poisson_ratio, int cells) {
   const Bricks bricks(problem, cells);
-  const Folder folder;
+  const TemporaryFolder folder;
   std::ofstream input(folder.file("box.inp"));
   bricks.write(input, poisson_ratio);
   input.close();

@@ -10,15 +10,18 @@
 namespace incision::report {
 
 /// A folder for the files of another program; it goes with its owner.
-class Folder {
+class TemporaryFolder {
  public:
-  Folder() {
+  TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "incision_XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no folder for temporary files");
     path_ = name;
   }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
 
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
