@@ -174,11 +174,12 @@ template <typename T>
 void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const BlockPattern& pattern, double stiffness,
                                            const std::vector<double>& scale) {
   const Patches& patches = *assembly.patches();
+  resizeWithRoom(patches.copies().size(), &volume_gradients_);
   resizeWithRoom(3 * patches.copies().size() + 1, &patch_gradients_);  // a column is read as four
   parallelFor(patches.count(), assembly.threads(), [&](int a) {
-    thread_local std::vector<Vec3> h;  // keeps its memory
     const int first = patches.copyStart(a), count = patches.numCopies(a);
-    h.assign(count, Vec3::Zero());
+    Vec3* const h = volume_gradients_.data() + first;
+    std::fill_n(h, count, Vec3::Zero());
     double volume = 0;
     for (int n = patches.partStart(a); n < patches.partStart(a + 1); ++n) {
       const int p = patches.parts()[n];
