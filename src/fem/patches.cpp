@@ -15,16 +15,21 @@ bool hangTogether(const TetMesh& mesh, const Part& p, int face, const Part& q) {
   });
 }
 
+/// Members by the set they belong to: those of set s become members[start[s]] … members[start[s + 1] − 1].
+void sortIntoSets(const std::vector<int>& set_of, int sets, std::vector<int>* start, std::vector<int>* members) {
+  start->assign(sets + 1, 0);
+  for (int set : set_of) ++(*start)[set + 1];
+  std::partial_sum(start->begin(), start->end(), start->begin());
+  std::vector<int> end(start->begin(), start->end() - 1);
+  members->resize(set_of.size());
+  for (std::size_t i = 0; i < set_of.size(); ++i) (*members)[end[set_of[i]]++] = static_cast<int>(i);
+}
+
 }  // namespace
 
 Patches::Patches(const CutMesh& mesh) : mesh_(mesh), cluster_of_(edgeClusters(mesh.mesh(), mesh.topology())) {
   const int clusters = cluster_of_.empty() ? 0 : 1 + *std::max_element(cluster_of_.begin(), cluster_of_.end());
-  element_start_.assign(clusters + 1, 0);
-  for (int cluster : cluster_of_) ++element_start_[cluster + 1];
-  std::partial_sum(element_start_.begin(), element_start_.end(), element_start_.begin());
-  std::vector<int> end(element_start_.begin(), element_start_.end() - 1);
-  elements_.resize(cluster_of_.size());
-  for (std::size_t e = 0; e < cluster_of_.size(); ++e) elements_[end[cluster_of_[e]]++] = static_cast<int>(e);
+  sortIntoSets(cluster_of_, clusters, &element_start_, &elements_);
 }
 
 void Patches::topologyChanged(const std::vector<int>& touched) {
@@ -34,7 +39,7 @@ void Patches::topologyChanged(const std::vector<int>& touched) {
   std::vector<int> clusters(element_start_.size() - 1);
   std::iota(clusters.begin(), clusters.end(), 0);
   for (int cluster : first ? clusters : clustersAt(touched)) divide(cluster);
-  listParts();
+  sortIntoSets(patch_of_, patches_, &part_start_, &parts_);
   listCopies();
   listUses();
 }
@@ -95,15 +100,6 @@ void Patches::divide(int cluster) {
     }
     patch_of_[parts[i]] = patch;
   }
-}
-
-void Patches::listParts() {
-  part_start_.assign(patches_ + 1, 0);
-  for (int patch : patch_of_) ++part_start_[patch + 1];
-  std::partial_sum(part_start_.begin(), part_start_.end(), part_start_.begin());
-  std::vector<int> end(part_start_.begin(), part_start_.end() - 1);
-  parts_.resize(patch_of_.size());
-  for (std::size_t p = 0; p < patch_of_.size(); ++p) parts_[end[patch_of_[p]]++] = static_cast<int>(p);
 }
 
 void Patches::listCopies() {

@@ -55,7 +55,6 @@ class Patches {
  private:
   std::vector<int> clustersAt(const std::vector<int>& nodes) const;
   void divide(int cluster);
-  void listParts();
   void listCopies();
   void listUses();
 

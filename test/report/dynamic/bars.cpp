@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+
+#include "report/clock.h"
 
 namespace incision::report {
 namespace {
@@ -64,9 +65,9 @@ Run simulate(const Bar& bar, const Scheme& scheme, const Choice& choice) {
   run.rest = rig.mesh.mesh().nodes;
   const TakeStep advance = scheme.make();
   for (int k = 0; k < steps && run.done; ++k) {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock clock;
     run.done = advance(k * choice.time_step, choice.time_step, &rig.step, &rig.motion);
-    run.ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    run.ms += clock.ms();
     run.iterations += static_cast<double>(rig.step.stats().iterations) / steps;
     for (const Vec3& x : rig.motion.x) run.done = run.done && x.norm() < FLOWN_OFF;
     if (bar.gravity == 0) run.energy_growth = std::max(run.energy_growth, rig.energy() / first - 1);

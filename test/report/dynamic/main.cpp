@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/clock.h"
 #include "report/dynamic/bars.h"
 #include "report/dynamic/oscillation.h"
 #include "report/findings.h"
@@ -43,11 +44,6 @@ json point(const Choice& choice, const Run& run, double error) {
           {"ms", run.ms},
           {"iterations", run.iterations},
           {"energy_growth", std::isfinite(run.energy_growth) ? json(run.energy_growth) : json()}};
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 /// The error over the steps, a curve for each variant. Each round runs all, so that what disturbs the machine for a

@@ -1,8 +1,7 @@
 #include "report/locking/nodal.h"
 
-#include <chrono>
-
 #include "incision/solver/sparse_cholesky.h"
+#include "report/clock.h"
 #include "report/locking/specimen.h"
 
 namespace incision::report {
@@ -49,9 +48,9 @@ Eigen::VectorXd solve(const Sparse& K, const Eigen::VectorXd& f, double* millise
   }
   SparseCholesky cholesky;
   cholesky.analyse(lower, 3);
-  const auto start = std::chrono::steady_clock::now();
+  const Clock clock;
   if (!cholesky.factorise(values)) throw std::runtime_error("the matrix is not positive definite");
-  *milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  *milliseconds = clock.ms();
   cholesky.solve({f.begin(), f.end()}, &x);
   return Eigen::Map<const Eigen::VectorXd>(x.data(), f.size());
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "report/clock.h"
+
 namespace incision::report {
 namespace {
 
@@ -21,11 +23,6 @@ RigSettings inMotion(const Problem& problem, double poisson_ratio, Pressure pres
   settings.conditions = {Vec3::Zero(), problem.holds, problem.loads};
   settings.solver.threads = THREADS;
   return settings;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // A bar bent to a circle, ν = 0: u = κ (−x z, 0, x²/2) is exact, so that the error has norms.
 #include <cmath>
 
-#include "report/static/clock.h"
+#include "report/clock.h"
 #include "report/static/study.h"
 
 namespace incision::report {

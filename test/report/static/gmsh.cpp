@@ -1,7 +1,7 @@
 #include "report/static/gmsh.h"
 
 #include "incision/mesh/mesh_io.h"
-#include "report/static/clock.h"
+#include "report/clock.h"
 
 namespace incision::report {
 

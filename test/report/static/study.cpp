@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "report/static/clock.h"
+#include "report/clock.h"
 
 namespace incision::report {
 namespace {

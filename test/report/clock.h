@@ -17,6 +17,12 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// Median wall time [ms] of so many runs, or of the only run where that takes long.
 template <typename Run>
 double medianTime(int repeats, const Run& run) {
@@ -27,8 +33,7 @@ double medianTime(int repeats, const Run& run) {
     run();
     times.push_back(clock.ms());
   } while (static_cast<int>(times.size()) < repeats && times[0] < LONG);
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
+  return median(times);
 }
 
 }  // namespace incision::report
