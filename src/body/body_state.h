@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <deque>
-#include <limits>
 
 #include "incision/body/deformable_body.h"
 #include "incision/solver/backward_difference.h"
@@ -19,6 +18,13 @@ inline double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Where the tool is, and where it goes in the next step.
+struct ToolMotion {
+  std::optional<Pose> pose;  // none: there is no tool in place
+  std::vector<Pose> path;    // evenly in time; empty: it stays
+  bool active = true;        // the blade cuts
+};
+
 /// What a body is made of. Commands change the mesh, steps the motion.
 struct DeformableBody::State {
   State(const Scene& s, TetMesh rest, const Descriptions& descriptions);
@@ -28,7 +34,11 @@ struct DeformableBody::State {
   void topologyChanged(const std::vector<int>& touched = {});
   CrackField fieldOf(const PlaneCut& plane) const;
   CutResult cut(const PlaneCut& plane);
-  std::optional<CutResult> moveTool(const Pose& pose);
+  void guideTool(const std::vector<Pose>& path);
+  void followScript();
+  void sweepTool(StepResult* result);
+  std::vector<Vec3> positionsWithin(double share) const;
+  void cutAlong(const Edge& from, const Edge& to, const std::vector<Vec3>& x);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
   void fracture(StepResult* result);
@@ -36,7 +46,7 @@ struct DeformableBody::State {
   bool advance(double time, double time_step);
   bool advanceFreely(double time, double time_step);
   bool advanceInHalves(double time, double time_step);
-  std::optional<Pose> scenePose() const;
+  std::optional<Pose> scriptedPose(double at) const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
 
   Scene scene;
@@ -45,10 +55,9 @@ struct DeformableBody::State {
   BackwardDifference past;  // for steps of second order
   Motion motion;
   std::int64_t steps = 0;
-  std::deque<ScheduledCut> scheduled;                             // by time; equal times in the order they came
-  Edge edge;                                                      // of the blade, in its link's frame
-  double least_motion = std::numeric_limits<double>::infinity();  // of the edge [m], below which it has not moved
-  std::optional<Pose> tool_pose;
+  std::deque<ScheduledCut> scheduled;  // by time; equal times in the order they came
+  Edge edge;                           // of the blade, in its link's frame
+  ToolMotion tool;
   std::optional<CrackGrowth> growth;  // where the scene lets the body break
   std::optional<Cohesion> cohesion;   // where opening a crack takes energy
   std::optional<Contact> contact;     // where the scene lets the body touch

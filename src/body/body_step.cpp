@@ -23,8 +23,6 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
   if (scene.contact)
     contact.emplace(*scene.contact, loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles),
                     scene.body.material.young_modulus, scene.solver.threads);
-  for (std::size_t n = 0; n < mesh.mesh().nodes.size(); ++n)
-    least_motion = std::min(least_motion, SNAP * mesh.shortestEdge(static_cast<int>(n)));
   start();
 }
 
@@ -36,7 +34,7 @@ void DeformableBody::State::start() {
   scheduled.assign(scene.cuts.begin(), scene.cuts.end());
   std::stable_sort(scheduled.begin(), scheduled.end(),
                    [](const ScheduledCut& a, const ScheduledCut& b) { return a.time < b.time; });
-  tool_pose.reset();
+  tool = ToolMotion();
   stroke = Stroke();
   stroke_result = CutResult();
   if (scene.fracture) growth.emplace(*scene.fracture);

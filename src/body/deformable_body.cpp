@@ -41,6 +41,7 @@ StepResult DeformableBody::step() {
     result.phase_ms.fracture = 1e3 * secondsSince(fracturing);
   }
 
+  if (s.tool.pose) s.stroke.start(s.motion.x);
   const double dt = s.scene.solver.time_step, t = s.time();
   if (!s.advance(t, dt) && !s.advanceInHalves(t, dt)) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
@@ -48,6 +49,11 @@ StepResult DeformableBody::step() {
   }
   ++s.steps;
   if (s.growth) s.growth->stepTaken();
+  if (s.tool.pose) {
+    const auto sweeping = Clock::now();
+    s.sweepTool(&result);
+    result.phase_ms.cut += 1e3 * secondsSince(sweeping);
+  }
   result.contact = s.touching;
   result.iterations = s.step.stats().iterations;
   result.residual = s.step.stats().residual;
@@ -68,12 +74,25 @@ void DeformableBody::schedule(const ScheduledCut& cut) {
   scheduled.insert(later, cut);
 }
 
-std::optional<CutResult> DeformableBody::moveTool(const Pose& pose) { return state_->moveTool(pose); }
+void DeformableBody::guideTool(const std::vector<Pose>& path) { state_->guideTool(path); }
 
-std::optional<CutResult> DeformableBody::liftTool() {
-  state_->tool_pose.reset();
+std::optional<CutResult> DeformableBody::placeTool(const Pose& pose) {
+  state_->tool = {pose, {}, state_->tool.active};
   return state_->endStroke();
 }
+
+std::optional<CutResult> DeformableBody::liftTool() {
+  state_->tool = {std::nullopt, {}, state_->tool.active};
+  return state_->endStroke();
+}
+
+std::optional<CutResult> DeformableBody::activateTool(bool active) {
+  if (active == state_->tool.active) return std::nullopt;
+  state_->tool.active = active;
+  return state_->endStroke();
+}
+
+const std::optional<Pose>& DeformableBody::toolPose() const { return state_->tool.pose; }
 
 const Obstacles& DeformableBody::obstacles() const {
   static const Obstacles none;

@@ -188,7 +188,8 @@ std::vector<TimedPose> parsePoses(const std::vector<YamlValue>& values) {
 }
 
 ToolSettings parseTool(const YamlValue& value, const std::string& folder) {
-  const YamlMap map = value.map({"description", "link", "edge", "poses"});
+  const YamlMap map = value.map({"description", "link", "edge", "poses", "frame", "max_step", "timeout",
+                                 "cutting_force", "friction", "progressive"});
   ToolSettings tool;
   if (!map.has("edge") && !map.has("description")) value.fail("needs an edge, or a description that has one");
   if (const auto description = map.find("description")) tool.description = parsePath(*description, folder);
@@ -201,6 +202,12 @@ ToolSettings parseTool(const YamlValue& value, const std::string& folder) {
     tool.link = map.at("link").text(MAX_NAME);
   }
   tool.poses = parsePoses(map.list("poses"));
+  if (const auto frame = map.find("frame")) tool.frame = parseFrame(*frame);
+  tool.max_step = map.numberOrInfinity("max_step", tool.max_step, POSITIVE);
+  tool.timeout = map.numberOrInfinity("timeout", tool.timeout, POSITIVE);
+  tool.cutting_force = map.number("cutting_force", tool.cutting_force, NOT_NEGATIVE);
+  tool.friction = map.number("friction", tool.friction, FRICTION);
+  if (const auto progressive = map.find("progressive")) tool.progressive = progressive->boolean();
   return tool;
 }
 

@@ -98,13 +98,7 @@ void IncisionNode::applyCut(const PlaneCut& plane) {
   }
 }
 
-void IncisionNode::applyPose(const Pose& pose) {
-  try {
-    if (const auto stroke = body_.moveTool(pose)) reporter_.report(*stroke);
-  } catch (const std::exception& error) {
-    reporter_.refusePose({Refusal::BY_BODY, error.what()});
-  }
-}
+void IncisionNode::applyPose(const Pose& pose) { body_.guideTool({pose}); }
 
 /// Before a step: the obstacles' links go where tf has them at its end.
 void IncisionNode::moveObstacles() {

@@ -81,7 +81,7 @@ bool isBehind(const std::array<Barycentric, 3>& triangle, const Barycentric& poi
 }  // namespace
 
 Insertion Stroke::sweep(const Edge& from, const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh) {
-  if (last_x_.empty()) last_x_ = x;
+  start(x);
   for (int c = static_cast<int>(last_x_.size()); c < mesh->numCopies(); ++c)
     last_x_.push_back(last_x_[mesh->copyParent(c)]);
   record(from, to, x, *mesh);

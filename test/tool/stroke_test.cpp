@@ -9,6 +9,13 @@
 namespace incision {
 namespace {
 
+// Moves the tool in a step; the stroke that ended in it, if one did.
+std::optional<CutResult> moveTool(DeformableBody* body, const Pose& pose) {
+  body->guideTool({pose});
+  const std::vector<CutResult> cuts = body->step().cuts;
+  return cuts.empty() ? std::nullopt : std::optional<CutResult>(cuts.back());
+}
+
 // A block of 1 × 0.5 × 0.5 m and a blade along z that reaches through all of its height.
 class StrokeTest : public ::testing::Test {
  protected:
@@ -17,14 +24,14 @@ class StrokeTest : public ::testing::Test {
     scene.body.grid = GridSettings{{8, 4, 4}, Vec3(1, 0.5, 0.5), Vec3::Zero()};
     scene.gravity = Vec3::Zero();
     scene.solver.method = Method::DIRECT;
-    scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.4), Vec3(0, 0, 0.4)}, {}};
+    scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.4), Vec3(0, 0, 0.4)}};
     return scene;
   }
 
   explicit StrokeTest(const Scene& s = scene()) : body(s, loadMesh(s)) {}
 
   std::optional<CutResult> place(double x, double y, double z = 0.25) {
-    return body.moveTool({Vec3(x, y, z), Eigen::Quaterniond::Identity()});
+    return moveTool(&body, {Vec3(x, y, z), Eigen::Quaterniond::Identity()});
   }
 
   // Calls `move` with shares from 0 to 1 and returns the last result it gave.
@@ -149,7 +156,7 @@ TEST(StrokeInMovingTissue, SeparatesLikeAtRest) {
   scene.body.grid = GridSettings{{10, 6, 4}, Vec3(0.2, 0.12, 0.08), Vec3::Zero()};
   scene.body.material = {1e5, 0.4, 1000, 1, 0};
   scene.boundary = {{{Vec3::Constant(-1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}};
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3)}, {}};
+  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3)}};
   for (int k = 0; k <= 80; ++k)
     scene.tool->poses.push_back({0.01 * k, {Vec3(0.085, -0.02 + 0.002 * k, 0), Eigen::Quaterniond::Identity()}});
   DeformableBody body(scene, loadMesh(scene));
@@ -201,7 +208,7 @@ TEST_F(StrokeTest, AlongItsOwnEdgeDoesNothing) {
 
 TEST_F(StrokeTest, RoundItsOwnEdgeDoesNothing) {
   for (int k = 0; k < 5; ++k)
-    body.moveTool({Vec3(0.4, Y, 0.25), Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * k, Vec3::UnitZ()))});
+    moveTool(&body, {Vec3(0.4, Y, 0.25), Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * k, Vec3::UnitZ()))});
   expectUncut();
 }
 
@@ -243,8 +250,8 @@ TEST_F(StrokeTest, InAFallingBodySeparatesIt) {
   falling.gravity = Vec3(0, 0, -1);
   DeformableBody moving(falling, loadMesh(falling));
   ASSERT_TRUE(draw(24, [&](double s) {
-    moving.step();  // falls by 0.03 m in all, which the blade's length allows
-    return moving.moveTool({Vec3(-0.1 + 1.2 * s, Y, 0.25), Eigen::Quaterniond::Identity()});
+    // It falls by 0.03 m in all, which the blade's length allows.
+    return moveTool(&moving, {Vec3(-0.1 + 1.2 * s, Y, 0.25), Eigen::Quaterniond::Identity()});
   }));
   EXPECT_EQ(moving.counts().cracks, 1);
   const std::vector<double> volumes = moving.pieceVolumes();
@@ -260,9 +267,11 @@ TEST_F(StrokeTest, InAStretchedBodyCutsWhereTheMaterialIs) {
   stretched.solver.time_step = 0.1;
   DeformableBody moving(stretched, loadMesh(stretched));
   for (int k = 0; k < 10; ++k) moving.step();
-  ASSERT_TRUE(draw(7, [&](double s) {
-    return moving.moveTool({Vec3(1.04, -0.1 + 0.7 * s, 0.25), Eigen::Quaterniond::Identity()});
-  }));
+  std::vector<Pose> path;  // within one step, in which the body grows from 2 m to 2.1 m
+  for (int k = 0; k <= 7; ++k)
+    path.push_back({Vec3(0.52 * (2 + 0.1 * k / 7), -0.1 + 0.1 * k, 0.25), Eigen::Quaterniond::Identity()});
+  moving.guideTool(path);
+  ASSERT_EQ(moving.step().cuts.size(), 1u);
   const std::vector<double> volumes = moving.pieceVolumes();
   ASSERT_EQ(volumes.size(), 2u);
   EXPECT_NEAR(volumes[0], 0.48 * 0.25, 1e-6);

@@ -46,10 +46,20 @@ struct PhaseTimes {
   double cut = 0, fracture = 0, contact = 0, assembly = 0, solve = 0, update = 0;
 };
 
+/// What tool and tissue did to each other in a step.
+struct ToolReport {
+  bool touching = false;       ///< they acted on each other, or the edge is in the tissue
+  Vec3 force = Vec3::Zero();   ///< of the tissue on the tool, in the frame of the tool's link [N]
+  Vec3 torque = Vec3::Zero();  ///< the same about the link's origin [N m]
+  double depth = 0;            ///< how far the edge has come below the skin, at rest [m]; 0 outside
+  double stroke_area = 0;      ///< that the stroke under way, or the last one, has cut, at rest [m²]
+};
+
 struct StepResult {
-  std::vector<CutResult> cuts;      ///< those that took effect before this step
+  std::vector<CutResult> cuts;      ///< those that took effect before this step, and strokes that ended in it
   std::vector<CrackResult> cracks;  ///< what cracks did in this step
   ContactReport contact;
+  ToolReport tool;
   int iterations = 0;   ///< of the linear solve; 0 when direct
   double residual = 0;  ///< relative
   double step_ms = 0;   ///< wall time of the whole step
@@ -78,12 +88,23 @@ class DeformableBody {
   /// Cuts before the step that starts at the first k Δt ≥ time.
   void schedule(const ScheduledCut& cut);
 
-  /// Sweeps the blade from its last pose to this one, cutting what it crosses; the first pose only places it. Returns a
-  /// result when the blade has left the body and so ended a stroke that cut something. Needs a scene with a tool.
-  std::optional<CutResult> moveTool(const Pose& pose);
+  /// In the next step the tool goes evenly along these poses of its link in the body's frame to the last, where it
+  /// stays, and cuts what its edge crosses. Without a tool in place the first one only places it. Needs a scene with a
+  /// tool, as the next three do.
+  void guideTool(const std::vector<Pose>& path);
 
-  /// Forgets where the blade was, so that the next pose only places it; ends the stroke under way.
+  /// Puts the tool there at once: it sweeps nothing on its way. Ends the stroke under way, and returns its result where
+  /// it cut something, as the next two do.
+  std::optional<CutResult> placeTool(const Pose& pose);
+
+  /// Takes the tool away until the next pose.
   std::optional<CutResult> liftTool();
+
+  /// Whether the blade cuts, as it does at first and after a reset. One that does not only touches.
+  std::optional<CutResult> activateTool(bool active);
+
+  /// Where the tool's link is, if there is a tool in place.
+  const std::optional<Pose>& toolPose() const;
 
   /// The obstacles; none without contact. A link moves evenly to `pose` in the body's frame during the next step, and
   /// stays there; or it is put there, and sweeps nothing on its way.

@@ -16,6 +16,11 @@ namespace incision {
 /// so far, carried along in the elements' own coordinates.
 class Stroke {
  public:
+  /// The edge has not swept anything yet, and the copies stand at `x` [m] now. Later calls do nothing.
+  void start(const std::vector<Vec3>& x) {
+    if (last_x_.empty()) last_x_ = x;
+  }
+
   /// Adds what the edge sweeps from `from`, where it stood at the last sweep, to `to`, while the copies stand at `x`
   /// [m], and cuts the parts whose section's centroid the sweep so far covers. Throws InputError, with the mesh
   /// unchanged, at the mesh's limits.

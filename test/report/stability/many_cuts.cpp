@@ -126,7 +126,7 @@ void strokes(Matrix* matrix) {
   scene.body.grid = GridSettings{{8, 4, 4}, Vec3(1, 0.5, 0.5), Vec3::Zero()};
   scene.body.material = {3e5, 0.4, 1000, 0, 1e-3};
   scene.boundary = {{slab(0, 0), Vec3::Zero()}};
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)}, {}};
+  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)}};
   const int count = matrix->quick() ? 20 : 150;
   for (const Method method : METHODS) {
     scene.solver = {0.01, method, 1e-6, 1};
@@ -138,7 +138,7 @@ void strokes(Matrix* matrix) {
       body.liftTool();
       for (int k = 0; k < 10; ++k) try {
           at += random.vector(0.1);
-          body.moveTool({at, Eigen::Quaterniond(random.rotation())});
+          body.guideTool({{at, Eigen::Quaterniond(random.rotation())}});
           body.step();
         } catch (const StepFailed&) {
           ++failed;

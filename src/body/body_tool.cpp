@@ -1,0 +1,97 @@
+#include <algorithm>
+
+#include "body_state.h"
+#include "incision/mesh/input_error.h"
+
+namespace incision {
+namespace {
+
+/// The tool's sweep is cut into pieces that turn by no more than this [rad], so that each is nearly flat.
+constexpr double MAX_SWEEP_TURN = 0.1;
+
+}  // namespace
+
+void DeformableBody::State::guideTool(const std::vector<Pose>& path) {
+  auto next = path.begin();
+  if (!tool.pose && next != path.end()) tool.pose = *next++;
+  tool.path.insert(tool.path.end(), next, path.end());
+}
+
+/// The pose that the scene gives for a time, if it gives one.
+std::optional<Pose> DeformableBody::State::scriptedPose(double at) const {
+  const std::vector<TimedPose>& poses = scene.tool->poses;
+  if (poses.empty() || at < poses.front().time - DUE_TOLERANCE || at > poses.back().time + DUE_TOLERANCE)
+    return std::nullopt;
+  const auto after =
+      std::lower_bound(poses.begin(), poses.end(), at, [](const TimedPose& pose, double t) { return pose.time < t; });
+  if (after == poses.begin()) return poses.front().pose;
+  if (after == poses.end()) return poses.back().pose;
+  const auto previous = after - 1;
+  return between(previous->pose, after->pose, (at - previous->time) / (after->time - previous->time));
+}
+
+/// The tool goes where the scene has it at the end of the step.
+void DeformableBody::State::followScript() {
+  if (!scene.tool) return;
+  if (!tool.pose) tool.pose = scriptedPose(time());
+  if (const std::optional<Pose> pose = scriptedPose(time() + scene.solver.time_step)) guideTool({*pose});
+}
+
+/// Where the copies stood at a share of the last step, of which they are at the end [m].
+std::vector<Vec3> DeformableBody::State::positionsWithin(double share) const {
+  std::vector<Vec3> x = motion.x;
+  const double rest = (1 - share) * scene.solver.time_step;
+  for (std::size_t c = 0; c < x.size(); ++c) x[c] -= rest * motion.v[c];
+  return x;
+}
+
+/// After a step: cuts what the edge has crossed in it.
+void DeformableBody::State::sweepTool(StepResult* result) {
+  const std::vector<Pose> path = std::exchange(tool.path, {});
+  Pose last = *tool.pose;
+  if (!path.empty()) tool.pose = path.back();
+  if (!tool.active) return;
+  double done = 0;
+  for (const Pose& pose : path) {
+    const int sweeps = 1 + static_cast<int>(last.orientation.angularDistance(pose.orientation) / MAX_SWEEP_TURN);
+    for (int k = 0; k < sweeps; ++k) {
+      const double begin = static_cast<double>(k) / sweeps, end = static_cast<double>(k + 1) / sweeps;
+      cutAlong(placed(edge, between(last, pose, begin)), placed(edge, between(last, pose, end)),
+               positionsWithin((done + end) / static_cast<double>(path.size())));
+    }
+    last = pose;
+    ++done;
+  }
+  if (!stroke.begun() || touches(placed(edge, last), motion.x, mesh)) return;
+  if (const std::optional<CutResult> ended = endStroke()) result->cuts.push_back(*ended);
+}
+
+void DeformableBody::State::cutAlong(const Edge& from, const Edge& to, const std::vector<Vec3>& x) {
+  const auto start_time = Clock::now();
+  try {
+    const Insertion done = stroke.sweep(from, to, x, &mesh);
+    if (done.changed()) {
+      stroke_result.status = CutStatus::APPLIED;
+      stroke_result.cracks = 1;
+      stroke_result.parts_split += done.parts_split;
+      stroke_result.copies_added += done.copies_added;
+      topologyChanged(done.touched);
+    }
+  } catch (const InputError& limit) {
+    stroke_result.status = CutStatus::REJECTED;
+    stroke_result.reason = limit.what();
+  }
+  stroke_result.duration += secondsSince(start_time);
+}
+
+std::optional<CutResult> DeformableBody::State::endStroke() {
+  if (!stroke.begun()) return std::nullopt;
+  CutResult result = std::exchange(stroke_result, CutResult());
+  stroke = Stroke();
+  if (result.status == CutStatus::MISSED) return std::nullopt;  // it grazed the body
+  result.label = "tool";
+  result.pieces = step.pieces();
+  return result;
+}
+
+}  // namespace incision
