@@ -1,9 +1,18 @@
 #include "incision/contact/obstacle_contacts.h"
 
 #include <limits>
+#include <optional>
 
 namespace incision {
 namespace {
+
+/// The tool's shapes give way up to their thickness from the edge, and by rounding more: where the edge is that of a
+/// thin box, the far side of its narrow face is just as far.
+constexpr double GIVE_WAY = 1 + 1e-6;
+
+/// Where the normals round a vertex add up to less than this share of their lengths they look both ways, as at the end
+/// of a slit.
+constexpr double LEAST_SIDE = 0.3;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
@@ -25,14 +34,38 @@ double reachOf(const Shape& shape) {
 /// An obstacle through the step.
 struct MovingShape {
   Shape shape;
-  Eigen::Isometry3d from, to;
+  Eigen::Isometry3d in_link, from, to;
+  bool is_tool;
+  double reach;                // as reachOf has it [m]
+  double moved = 0;            // a bound on how far any point of it moves [m]
+  const Edge* edge = nullptr;  // in the link's frame, near which it gives way
 };
 
-MovingShape placeShape(const Obstacle& obstacle, const LinkMotion& motion) {
+MovingShape placeShape(const Obstacle& obstacle, const Obstacles& obstacles, const LinkMotion& motion) {
   const Eigen::Isometry3d in_link = toIsometry(obstacle.pose);
-  if (obstacle.link == GROUND_LINK) return {obstacle.shape, in_link, in_link};
-  return {obstacle.shape, toIsometry(motion.from[obstacle.link]) * in_link,
-          toIsometry(motion.to[obstacle.link]) * in_link};
+  MovingShape placed{obstacle.shape, in_link, in_link, in_link, obstacles.isTool(obstacle), reachOf(obstacle.shape)};
+  if (obstacle.link == GROUND_LINK) return placed;
+  placed.from = toIsometry(motion.from[obstacle.link]) * in_link;
+  placed.to = toIsometry(motion.to[obstacle.link]) * in_link;
+  placed.moved = (placed.to.translation() - placed.from.translation()).norm() +
+                 placed.reach * (placed.to.linear() - placed.from.linear()).norm();
+  if (placed.is_tool && motion.cuts) placed.edge = &obstacles.tool.edge;
+  return placed;
+}
+
+/// The unit normal of the surface at a vertex; none where it looks both ways.
+std::optional<Vec3> normalAt(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex) {
+  Vec3 sum = Vec3::Zero();
+  double all = 0;
+  for (int s = surface.sample_start[vertex]; s < surface.sample_start[vertex + 1]; ++s)
+    for (int k = surface.samples[s].first; k < surface.samples[s].last; ++k) {
+      const auto& [a, b, c] = surface.surface->triangles[surface.around[k]];
+      const Vec3 area = (x[b] - x[a]).cross(x[c] - x[a]);
+      sum += area;
+      all += area.norm();
+    }
+  if (!(sum.norm() > LEAST_SIDE * all)) return std::nullopt;
+  return sum.normalized();
 }
 
 /// From the nearest point, but on the side on which the point was, if it was.
@@ -42,6 +75,25 @@ ShapeDistance distanceFrom(const Vec3* side, const Shape& shape, const Vec3& poi
   return {side->dot(point) - reachAlong(shape, *side), *side};
 }
 
+bool givesWay(const MovingShape& shape, const Vec3& foot) {
+  if (!shape.edge) return false;
+  const Vec3 at = shape.in_link * foot;
+  return (at - nearestOn(*shape.edge, at)).norm() <= GIVE_WAY * thickness(shape.shape);
+}
+
+/// What holds a vertex, which is at `point` in the shape's frame, off the shape; `side` as distanceFrom takes it.
+std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
+                                     const MovingShape& shape, const Vec3& point, const Vec3* side) {
+  ShapeDistance nearest = distanceFrom(side, shape.shape, point);
+  if (shape.is_tool && !side && nearest.distance < 0) {
+    const std::optional<Vec3> n = normalAt(surface, x, vertex);
+    if (!n) return std::nullopt;
+    nearest = distanceAgainst(shape.shape, point, shape.from.linear().transpose() * *n);
+  }
+  if (givesWay(shape, point - nearest.distance * nearest.normal)) return std::nullopt;
+  return nearest;
+}
+
 }  // namespace
 
 void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
@@ -49,14 +101,11 @@ void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>
                           const std::vector<Touch>& touches, std::vector<Candidate>* candidates) {
   auto touch = touches.begin();
   for (std::size_t o = 0; o < obstacles.shapes.size(); ++o) {
-    const MovingShape shape = placeShape(obstacles.shapes[o], motion);
-    const double reach = reachOf(shape.shape);
-    // A bound on how far any point of the obstacle moves.
-    const double moved = (shape.to.translation() - shape.from.translation()).norm() +
-                         (std::isfinite(reach) ? reach * (shape.to.linear() - shape.from.linear()).norm() : 0);
+    const MovingShape shape = placeShape(obstacles.shapes[o], obstacles, motion);
+    if (shape.is_tool && !motion.has_tool) continue;
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double size = surface.size[i], area = surface.area[i];
-      const double room = reach + moved + MARGIN * size + time_step * v[i].norm();
+      const double room = shape.reach + shape.moved + MARGIN * size + time_step * v[i].norm();
       if (!((x[i] - shape.from.translation()).squaredNorm() <= room * room) || !(area > 0)) continue;
       const Vec3 local = shape.from.inverse(Eigen::Isometry) * x[i];
       Candidate candidate;
@@ -64,10 +113,12 @@ void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>
       candidate.partner = static_cast<int>(o);
       while (touch != touches.end() && comesBefore(*touch, candidate)) ++touch;
       const bool touched = touch != touches.end() && !comesBefore(candidate, *touch);
-      const ShapeDistance nearest = distanceFrom(touched ? &touch->side : nullptr, shape.shape, local);
-      const Vec3 foot = local - nearest.distance * nearest.normal;
-      candidate.side = nearest.normal;
-      candidate.normal = shape.to.linear() * nearest.normal;
+      const std::optional<ShapeDistance> nearest =
+          holdOff(surface, x, candidate.sample, shape, local, touched ? &touch->side : nullptr);
+      if (!nearest) continue;
+      const Vec3 foot = local - nearest->distance * nearest->normal;
+      candidate.side = nearest->normal;
+      candidate.normal = shape.to.linear() * nearest->normal;
       candidate.gap = candidate.normal.dot(x[i] - shape.from * foot);
       candidate.drift = shape.to * foot - shape.from * foot;
       const double closing = candidate.normal.dot(time_step * v[i] - candidate.drift);
@@ -75,6 +126,7 @@ void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>
       candidate.slip.setZero();
       candidate.size = size;
       candidate.stiffness = stiffness * area / size;
+      candidate.held.tool = shape.is_tool;
       addVertex(surface.surface->vertices[i], 1, &candidate.held);
       candidates->push_back(candidate);
     }
