@@ -17,16 +17,25 @@ ContactSettings touchingNothing() {
   return settings;
 }
 
+/// A block of 8 kg, damped.
+RigSettings damped() {
+  RigSettings settings;
+  settings.material = {E, 0.3, 1000, 0, 2e-3};
+  settings.solver = {0.005, Method::DIRECT, 1e-8, 1};
+  settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}};
+  return settings;
+}
+
 /// A block held below in static equilibrium, without lateral strain, and a plate whose underside is 0.05 m below the
 /// tool's origin.
 struct PressedBlock : ToolRig {
-  PressedBlock(double friction, const Vec3& offset = Vec3::Zero(), const ContactSettings& touching = touchingNothing())
-      : ToolRig(cube(), held(!touching.ground), touching, toolUrdf("<box size='1 1 0.1'/>", textOf(offset)), friction) {
+  PressedBlock(double friction, const Vec3& offset = Vec3::Zero())
+      : ToolRig(cube(), held(), touchingNothing(), toolUrdf("<box size='1 1 0.1'/>", textOf(offset)), friction) {
     place(above(0));
   }
-  static RigSettings held(bool below) {
+  static RigSettings held() {
     RigSettings settings = statics(E, 0);
-    if (below) settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}};
+    settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}};
     return settings;
   }
   static std::string textOf(const Vec3& v) {
@@ -35,20 +44,21 @@ struct PressedBlock : ToolRig {
   static Pose above(double depth, double x = 0) { return at(Vec3(x, 0, SIDE + 0.05 - depth)); }
 };
 
-// F = E A δ / L for a bar, which is in series with the contact: that gives way by p h / (200 E).
+// F = E A δ / L, but the contact gives way by p h / (200 E) at most: on the rim it is stiffer.
 TEST(ToolBody, PressesABlockAsHookeSays) {
   for (const double depth : {1e-4, 2e-3}) {
     PressedBlock rig(0);
     rig.moveTo(rig.above(depth));
-    const double force = E * SIDE * SIDE * depth / (SIDE + ELEMENT / OBSTACLE_STIFFNESS);
-    EXPECT_NEAR(rig.onTool().force.z(), force, 1e-6 * force);  // the body has a mass of 1e-14 kg
-    EXPECT_LT(rig.onTool().force.head<2>().norm(), 1e-6 * force);
+    const double most = E * SIDE * SIDE * depth / SIDE, least = most * SIDE / (SIDE + ELEMENT / OBSTACLE_STIFFNESS);
+    EXPECT_LT(rig.onTool().force.z(), most);
+    EXPECT_GT(rig.onTool().force.z(), least);
+    EXPECT_LT(rig.onTool().force.head<2>().norm(), 1e-12 * most);
     rig.moveTo(rig.above(-depth));
     EXPECT_EQ(rig.onTool().force, Vec3::Zero());
   }
 }
 
-// The pressure on the top is even.
+// The pressure on the top is even, but for what the contact gives way.
 TEST(ToolBody, TurnsTheToolByTheLever) {
   PressedBlock rig(0, Vec3(0.1, 0.03, 0));
   rig.moveTo(rig.above(1e-3));
@@ -56,7 +66,8 @@ TEST(ToolBody, TurnsTheToolByTheLever) {
   const Pose pose{Vec3(0.5, 0.3, 0.1), Eigen::Quaterniond(0.8, 0, 0.6, 0)};
   const Wrench seen = seenFrom(pose, rig.onTool());
   EXPECT_LT((pose.orientation * seen.force - F).norm(), 1e-12 * F.norm());
-  EXPECT_LT((pose.orientation * seen.torque - (middle - pose.position).cross(F)).norm(), 1e-6 * SIDE * F.norm());
+  EXPECT_LT((pose.orientation * seen.torque - (middle - pose.position).cross(F)).norm(),
+            ELEMENT / OBSTACLE_STIFFNESS * F.norm());
 }
 
 TEST(ToolBody, IsNotThereWithoutAPose) {
@@ -66,16 +77,28 @@ TEST(ToolBody, IsNotThereWithoutAPose) {
   EXPECT_EQ(rig.onTool().force, Vec3::Zero());
 }
 
-// A block on the ground, dragged by the tool on it: it slides where there is less friction.
+// A block on the ground, dragged by the tool on it: in the end it slides where there is less friction.
 TEST(ToolBody, HasFrictionOfItsOwn) {
   for (const double friction : {0.1, 0.5}) {
+    RigSettings settings = damped();
+    settings.conditions.holds.clear();
     ContactSettings touching = touchingNothing();
     touching.ground = 0;
     touching.friction = 0.3;
-    PressedBlock rig(friction, Vec3::Zero(), touching);
-    for (int k = 1; k <= 20; ++k) rig.moveTo(rig.above(1e-3, 1e-3 * k));
-    const Vec3 F = rig.onTool().force;
-    EXPECT_NEAR(-F.x() / F.z(), std::min(friction, 0.3), 0.02 * 0.3);  // to which friction is found
+    ToolRig rig(cube(), settings, touching, toolUrdf("<box size='2 2 0.1'/>"), friction);
+    rig.place(PressedBlock::above(0));
+    const auto drag = [&](int first, int last) {
+      Vec3 sum = Vec3::Zero();
+      for (int k = first; k < last; ++k) {
+        rig.moveTo(PressedBlock::above(2e-3, 5e-4 * k));
+        sum += rig.onTool().force;
+      }
+      return sum;
+    };
+    drag(0, 300);
+    const Vec3 F = drag(300, 500);
+    // A step is content when 2 % of all friction there may be, above and below, is off its bound.
+    EXPECT_NEAR(-F.x() / F.z(), std::min(friction, 0.3), 0.025 * (friction + 0.3));
   }
 }
 
@@ -83,7 +106,7 @@ TEST(ToolBody, HasFrictionOfItsOwn) {
 TEST(ToolBody, GivesWayAtItsEdgeWhileThatCuts) {
   for (const bool cuts : {true, false}) {
     const Edge edge = {Vec3(-0.2, -0.002, -0.05), Vec3(0.2, -0.002, -0.05)};
-    ToolRig rig(cube(), PressedBlock::held(true), touchingNothing(), toolUrdf("<box size='0.4 0.004 0.1'/>"), 0, edge);
+    ToolRig rig(cube(), PressedBlock::held(), touchingNothing(), toolUrdf("<box size='0.4 0.004 0.1'/>"), 0, edge);
     rig.place(at(Vec3(0.1, 0.101, SIDE + 0.05)));
     rig.links.cuts = cuts;
     const ContactReport touched = rig.moveTo(at(Vec3(0.1, 0.101, SIDE + 0.045)));
@@ -97,9 +120,8 @@ TEST(ToolBody, GivesWayAtItsEdgeWhileThatCuts) {
 
 // A free block hit by a ball that turns.
 TEST(ToolBody, TakesTheMomentumThatTheBodyGains) {
-  RigSettings settings;
-  settings.material = {E, 0.3, 1000, 0, 0};
-  settings.solver = {0.005, Method::DIRECT, 1e-8, 1};
+  RigSettings settings = damped();
+  settings.conditions.holds.clear();
   ToolRig rig(cube(), settings, touchingNothing(), toolUrdf("<sphere radius='0.08'/>"), 0.5);
   const auto pose = [](int k) {
     return Pose{Vec3(0.11 + 2e-3 * k, 0.08, SIDE + 0.08 - 3e-3 * k),
@@ -110,7 +132,7 @@ TEST(ToolBody, TakesTheMomentumThatTheBodyGains) {
   for (int k = 1; k <= 40; ++k) {
     rig.moveTo(pose(k));
     given -= rig.time_step * rig.onTool().force;
-    ASSERT_LT((rig.momentum() - given).norm(), 1e-10 * given.norm()) << k;
+    ASSERT_LT((rig.momentum() - given).norm(), 1e-10 * given.norm() + 1e-20) << k;
   }
   EXPECT_LT(given.z(), -0.1);  // of 8 kg
 }
@@ -120,19 +142,12 @@ struct BladeInSlit : ToolRig {
   static constexpr double THICKNESS = 0.002, DEPTH = 0.05, PLANE = 0.11;
 
   BladeInSlit()
-      : ToolRig(cube(), settings(), touchingNothing(), toolUrdf("<box size='0.4 0.002 0.1'/>"), 0.3,
+      : ToolRig(cube(), damped(), touchingNothing(), toolUrdf("<box size='0.4 0.002 0.1'/>"), 0.3,
                 {Vec3(-0.2, -THICKNESS / 2, -DEPTH), Vec3(0.2, -THICKNESS / 2, -DEPTH)}) {
     EXPECT_TRUE(cut(rectangle(Vec3(0.1, PLANE, SIDE), Vec3::UnitY(), Vec3::UnitX(), 0, SIDE)).changed());
     EXPECT_EQ(pieces(), 1);
     surfaceChanged();
     place(at(Vec3(0.1, PLANE, SIDE)));
-  }
-  static RigSettings settings() {
-    RigSettings settings;
-    settings.material = {E, 0.3, 1000, 0, 2e-3};
-    settings.solver = {0.005, Method::DIRECT, 1e-8, 1};
-    settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}};
-    return settings;
   }
 
   /// Vertices of the slit beside the blade where it does not give way: how far each is from the slit's plane, towards
