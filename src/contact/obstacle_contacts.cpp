@@ -6,9 +6,9 @@
 namespace incision {
 namespace {
 
-/// The tool's shapes give way up to their thickness from the edge, and by rounding more: where the edge is that of a
-/// thin box, the far side of its narrow face is just as far.
-constexpr double GIVE_WAY = 1 + 1e-6;
+/// Of a shape's thickness. Where the edge is that of a thin box, the other side of its narrow face is just as far from
+/// it as the shape gives way.
+constexpr double ROUNDING = 1e-6;
 
 /// Where the normals round a vertex add up to less than this share of their lengths they look both ways, as at the end
 /// of a slit.
@@ -78,20 +78,32 @@ ShapeDistance distanceFrom(const Vec3* side, const Shape& shape, const Vec3& poi
 bool givesWay(const MovingShape& shape, const Vec3& foot) {
   if (!shape.edge) return false;
   const Vec3 at = shape.in_link * foot;
-  return (at - nearestOn(*shape.edge, at)).norm() <= GIVE_WAY * thickness(shape.shape);
+  return (at - nearestOn(*shape.edge, at)).norm() <= (1 + ROUNDING) * thickness(shape.shape);
 }
 
-/// What holds a vertex, which is at `point` in the shape's frame, off the shape; `side` as distanceFrom takes it.
+/// What holds a vertex off a shape of the tool, in the shape's frame, where the vertex is at `point`: the nearest
+/// point, unless that is on the far side of its material. The far side is told by the side on which the vertex was, if
+/// it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so that
+/// counts also a little beside the shape.
 std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* side) {
-  ShapeDistance nearest = distanceFrom(side, shape.shape, point);
-  if (shape.is_tool && !side && nearest.distance < 0) {
-    const std::optional<Vec3> n = normalAt(surface, x, vertex);
-    if (!n) return std::nullopt;
-    nearest = distanceAgainst(shape.shape, point, shape.from.linear().transpose() * *n);
+  const ShapeDistance nearest = distanceTo(shape.shape, point);
+  if (nearest.distance > DEEPEST_BEGIN * surface.size[vertex]) return nearest;
+  Vec3 n;
+  if (side) {
+    n = -*side;
+  } else if (const std::optional<Vec3> now = normalAt(surface, x, vertex)) {
+    n = shape.from.linear().transpose() * *now;
+  } else {
+    return std::nullopt;
   }
-  if (givesWay(shape, point - nearest.distance * nearest.normal)) return std::nullopt;
-  return nearest;
+  const double facing = -nearest.normal.dot(n);
+  if (facing > (side ? 0 : LEAST_OPPOSITION)) return nearest;
+  const ShapeDistance across = distanceAgainst(shape.shape, point, n);
+  if (nearest.distance < 0) return across;
+  const bool is_beside =
+      distanceTo(shape.shape, point - across.distance * across.normal).distance < ROUNDING * thickness(shape.shape);
+  return facing < -LEAST_OPPOSITION && is_beside ? across : nearest;
 }
 
 }  // namespace
@@ -113,10 +125,13 @@ void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>
       candidate.partner = static_cast<int>(o);
       while (touch != touches.end() && comesBefore(*touch, candidate)) ++touch;
       const bool touched = touch != touches.end() && !comesBefore(candidate, *touch);
-      const std::optional<ShapeDistance> nearest =
-          holdOff(surface, x, candidate.sample, shape, local, touched ? &touch->side : nullptr);
+      const Vec3* side = touched ? &touch->side : nullptr;
+      const std::optional<ShapeDistance> nearest = shape.is_tool
+                                                       ? holdOff(surface, x, candidate.sample, shape, local, side)
+                                                       : distanceFrom(side, shape.shape, local);
       if (!nearest) continue;
       const Vec3 foot = local - nearest->distance * nearest->normal;
+      if (givesWay(shape, foot)) continue;
       candidate.side = nearest->normal;
       candidate.normal = shape.to.linear() * nearest->normal;
       candidate.gap = candidate.normal.dot(x[i] - shape.from * foot);

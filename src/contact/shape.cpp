@@ -49,9 +49,6 @@ ShapeDistance distanceToCylinder(double radius, double length, const Vec3& point
   return {distance, {normal[0] * radial[0], normal[0] * radial[1], normal[1]}};
 }
 
-/// A face opposes a normal where the two are against each other by this cosine at least. One of a box's always is.
-constexpr double LEAST_OPPOSITION = 0.3;
-
 /// What of a vector lies along the normals of the shape's faces; a round face turns its normal to the vector.
 std::array<Vec3, 3> alongFaces(ShapeKind kind, const Vec3& n) {
   switch (kind) {
