@@ -184,9 +184,10 @@ TEST(ToolBody, OpensASlitToItsThicknessEachFaceToItsOwnSide) {
       fastest = std::max(fastest, largest(rig.motion.v));
     }
     EXPECT_LT(fastest, 2 * RECOVERY * ELEMENT);
-    // Pressed by less than E/50, it gives way by less than h / (50 · 200).
+    // Pushed aside by at most 2.5 mm, 0.1 m from what holds it, it is pressed by less than E/20 and gives way by less
+    // than h / (20 · 200).
     for (const double opening : rig.openings()) {
-      EXPECT_GT(opening, HALF - ELEMENT / (50 * OBSTACLE_STIFFNESS)) << offset;
+      EXPECT_GT(opening, HALF - ELEMENT / (20 * OBSTACLE_STIFFNESS)) << offset;
       EXPECT_LT(opening, 2 * HALF) << offset;
     }
     EXPECT_LT(largest(rig.motion.v), 1e-4);
