@@ -91,6 +91,7 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
 /// point, unless that is on the far side of its material. The far side is told by the side on which the vertex was, if
 /// it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so that
 /// counts also a little beside the shape; but what would have to cross more than the blade is no face of the slit.
+/// Nothing does where a vertex has no side to go to, as at the slit's end.
 std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* side) {
   const ShapeDistance nearest = distanceTo(shape.shape, point);
