@@ -62,7 +62,7 @@ class ToolFlood(unittest.TestCase):
     def test_a_flood_of_poses(self):
         idle = self.steps_per_second(3)
         with scalpel(path=PATH, speed=0.2, rate=RATE, loop=True):
-            self.client.wait_for(lambda: self.client.reports, 'the report of the first stroke')  # all is cut that will be
+            self.client.wait_for(lambda: self.client.reports, 'the report of the stroke, after which all is cut')
             memory, seen = resident_mb(self.pid), len(self.client.states)
             first, start = poses_sent()
             flooded = self.steps_per_second(SECONDS)
