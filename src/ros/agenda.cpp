@@ -32,9 +32,10 @@ std::optional<PlaneCut> Agenda::add(const PlaneCut& plane, Nanoseconds stamp) {
   return last;
 }
 
-void Agenda::add(const Pose& pose, Nanoseconds stamp) {
+void Agenda::add(const ReceivedPose& pose, Nanoseconds stamp) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  insert(poses_, pose, stamp);
+  insert(poses_, {pose.pose, pose.time, pose.received, active_}, stamp);
+  last_pose_ = stamp;
   if (poses_.size() > MAX_WAITING_POSES) thinPoses();
 }
 
@@ -53,9 +54,20 @@ std::vector<PlaneCut> Agenda::takeCuts(Nanoseconds time) {
   return take(cuts_, time);
 }
 
-std::vector<Pose> Agenda::takePoses(Nanoseconds time) {
+void Agenda::activate(bool active) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return take(poses_, time);
+  active_ = active;
+  switched_after_ = last_pose_;
+}
+
+ToolInput Agenda::takeTool(Nanoseconds time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ToolInput input;
+  input.poses = take(poses_, time);
+  if (!input.poses.empty()) active_taken_ = input.poses.back().active;
+  if (switched_after_ <= time) active_taken_ = active_;
+  input.active = active_taken_;
+  return input;
 }
 
 std::vector<PlaneCut> Agenda::clear() {
@@ -64,7 +76,8 @@ std::vector<PlaneCut> Agenda::clear() {
   for (Entry<PlaneCut>& entry : cuts_) cuts.push_back(std::move(entry.action));
   cuts_.clear();
   poses_.clear();
-  taken_ = 0;
+  taken_ = last_pose_ = switched_after_ = 0;
+  active_ = active_taken_ = true;
   return cuts;
 }
 

@@ -28,11 +28,14 @@ CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, 
   ros::NodeHandle commands = withQueue(node, callbacks_);
   const auto hints = ros::TransportHints().tcpNoDelay();
   cuts_ = commands.subscribe("cut_plane", MESSAGE_QUEUE, &CommandInput::receiveCut, this, hints);
-  poses_ = commands.subscribe("tool_pose", MESSAGE_QUEUE, &CommandInput::receivePose, this, hints);
+  if (!has_tool_ || settings.scene.tool->frame.empty())
+    poses_ = commands.subscribe("tool_pose", MESSAGE_QUEUE, &CommandInput::receivePose, this, hints);
+  active_ = commands.subscribe("tool_active", MESSAGE_QUEUE, &CommandInput::receiveActive, this, hints);
   poll_ = commands.createWallTimer(
       ros::WallDuration(TRANSFORM_POLL),
       [this](const ros::WallTimerEvent&) {
         transforms_.poll(std::chrono::steady_clock::now());
+        wakeup_.notify();  // a step may have waited for them
         if (transforms_.empty()) poll_.stop();
       },
       false, false);
@@ -55,11 +58,18 @@ void CommandInput::receiveCut(const CutPlane& message) {
 
 void CommandInput::receivePose(const geometry_msgs::PoseStamped& message) {
   if (!has_tool_)
-    reporter_.refusePose({Refusal::NO_TOOL, "tool_pose: the scene has no tool"});
+    reporter_.refuseTool({Refusal::NO_TOOL, "tool_pose: the scene has no tool"});
   else if (const auto refused = whyRefused(message))
-    reporter_.refusePose(*refused);
+    reporter_.refuseTool(*refused);
   else
     accept(toCommand(message, body_frame_, std::chrono::steady_clock::now()));
+}
+
+void CommandInput::receiveActive(const std_msgs::Bool& message) {
+  if (has_tool_)
+    agenda_.activate(message.data);
+  else
+    reporter_.refuseTool({Refusal::NO_TOOL, "tool_active: the scene has no tool"});
 }
 
 void CommandInput::accept(const Command& command) {
@@ -72,17 +82,18 @@ void CommandInput::release(const Command& command) {
   if (const auto* plane = std::get_if<PlaneCut>(&command.action)) {
     if (const auto left_out = agenda_.add(*plane, stamp))
       reporter_.refuseCut(left_out->label, {Refusal::TOO_MANY, "too many cuts wait for their step"});
-  } else {
-    agenda_.add(std::get<Pose>(command.action), stamp);
+    wakeup_.notify();
+  } else {  // waits for the next step, of which nobody needs to be told
+    const auto received = std::chrono::nanoseconds(command.received.time_since_epoch()).count();
+    agenda_.add({std::get<Pose>(command.action), use_sim_time_ ? stamp : received, command.received}, stamp);
   }
-  wakeup_.notify();
 }
 
 void CommandInput::refuse(const Command& command, const Refused& refused) {
   if (const auto* plane = std::get_if<PlaneCut>(&command.action))
     reporter_.refuseCut(plane->label, refused);
   else
-    reporter_.refusePose(refused);
+    reporter_.refuseTool(refused);
 }
 
 }  // namespace incision

@@ -28,6 +28,14 @@ std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   return std::make_unique<WallPacer>(time_step);
 }
 
+std::unique_ptr<ToolDriver> makeTool(ros::NodeHandle& node, const NodeSettings& settings,
+                                     const tf2::BufferCore& buffer) {
+  const auto& tool = settings.scene.tool;
+  if (!tool) return nullptr;
+  const Edge edge = bladeEdge(*tool, settings.descriptions.tool, tool->description);
+  return std::make_unique<ToolDriver>(node, settings.scene, edge, buffer);
+}
+
 SteadyTime now() { return std::chrono::steady_clock::now(); }
 
 }  // namespace
@@ -45,6 +53,7 @@ IncisionNode::IncisionNode()
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, agenda_, reporter_, wakeup_),
       tracker_(input_.transforms(), settings_.scene.body.frame, body_.obstacles(), settings_.scene.solver.time_step),
+      tool_(makeTool(node_, settings_, input_.transforms())),
       spinner_(1) {
   const BodyCounts counts = body_.counts();
   reporter_.setPieces(counts.pieces);
@@ -67,7 +76,7 @@ void IncisionNode::run() {
     bool changed = tasks_.run();
     pacer_->update(now());
     const bool due = stepDue();
-    changed |= applyCommands(due);
+    changed |= applyCuts(due);
     if (due) step();
     if (changed || due || now() >= next_heartbeat_) publishState();
     markers_.offer(body_, tracker_.poses(), now());
@@ -81,13 +90,11 @@ bool IncisionNode::stepDue() {
 }
 
 /// Stamped commands are taken together when their step is due, since they may arrive in another order.
-bool IncisionNode::applyCommands(bool step_due) {
+bool IncisionNode::applyCuts(bool step_due) {
   const Nanoseconds time = paused_ ? pacer_->clock() : step_due ? pacer_->nextStart() : 0;
   const std::vector<PlaneCut> cuts = agenda_.takeCuts(time);
-  const std::vector<Pose> poses = agenda_.takePoses(time);
   for (const PlaneCut& plane : cuts) applyCut(plane);
-  for (const Pose& pose : poses) applyPose(pose);
-  return !cuts.empty() || !poses.empty();
+  return !cuts.empty();
 }
 
 void IncisionNode::applyCut(const PlaneCut& plane) {
@@ -98,12 +105,22 @@ void IncisionNode::applyCut(const PlaneCut& plane) {
   }
 }
 
-void IncisionNode::applyPose(const Pose& pose) { body_.guideTool({pose}); }
+StepTime IncisionNode::stepTime() const {
+  if (!ros::Time::isSimTime()) return {std::chrono::nanoseconds(now().time_since_epoch()).count(), 0, paused_};
+  const auto time_step = static_cast<Nanoseconds>(std::llround(1e9 * settings_.scene.solver.time_step));
+  return {paused_ ? pacer_->clock() : pacer_->nextStart(), pacer_->nextStart() + time_step, paused_};
+}
+
+/// Before a step. Poses stamped later than its start wait.
+void IncisionNode::leadTool(const StepTime& time) {
+  if (!tool_) return;
+  const ToolInput input = agenda_.takeTool(paused_ ? pacer_->clock() : pacer_->nextStart());
+  for (const CutResult& stroke : tool_->lead(input, time, &body_)) reporter_.report(stroke);
+}
 
 /// Before a step: the obstacles' links go where tf has them at its end.
-void IncisionNode::moveObstacles() {
-  const auto time_step = static_cast<Nanoseconds>(std::llround(1e9 * settings_.scene.solver.time_step));
-  for (const LinkMove& move : tracker_.follow(ros::Time::isSimTime() ? pacer_->nextStart() + time_step : 0)) {
+void IncisionNode::moveObstacles(const StepTime& time) {
+  for (const LinkMove& move : tracker_.follow(time.end)) {
     if (move.at_once)
       body_.placeObstacle(move.link, move.pose);
     else
@@ -113,8 +130,11 @@ void IncisionNode::moveObstacles() {
 
 void IncisionNode::step() {
   try {
-    moveObstacles();
+    const StepTime time = stepTime();
+    leadTool(time);
+    moveObstacles(time);
     last_step_ = body_.step();
+    if (tool_) tool_->publishWrench(last_step_.tool);
     error_.clear();
   } catch (const std::exception& error) {
     stepFailed(error.what());
@@ -145,6 +165,7 @@ void IncisionNode::reset() {
   if (const auto stroke = settings_.scene.tool ? body_.liftTool() : std::nullopt) reporter_.report(*stroke);
   body_.reset();
   tracker_.restart();
+  if (tool_) tool_->restart();
   last_step_ = StepResult();
   error_.clear();
   reporter_.setPieces(body_.counts().pieces);
@@ -171,6 +192,7 @@ void IncisionNode::publishState() {
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();
   state.ignored_transforms = tracker_.ignored();
+  if (tool_) tool_->fillState(last_step_.tool, &state);
   state_.publish(state);
 }
 

@@ -48,7 +48,7 @@ void Reporter::refuseCut(const std::string& label, const Refused& refused) {
   publish(result);
 }
 
-void Reporter::refusePose(const Refused& refused) { count(refused); }
+void Reporter::refuseTool(const Refused& refused) { count(refused); }
 
 void Reporter::count(const Refused& refused) {
   ++counts_[static_cast<int>(refused.kind)];

@@ -11,7 +11,7 @@ PlaneCut labelled(const std::string& label) {
   return plane;
 }
 
-Pose at(double x) { return {Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}; }
+ReceivedPose at(double x) { return {{Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}, 1, SteadyTime()}; }
 
 TEST(Agenda, CommandsComeInTheOrderOfStampsThenOfArrival) {
   Agenda agenda;
@@ -52,12 +52,12 @@ TEST(Agenda, ALongPathKeepsItsShape) {
   Agenda agenda;
   const int count = 3 * MAX_WAITING_POSES;
   for (int i = 0; i < count; ++i) agenda.add(at(i), 0);
-  const std::vector<Pose> path = agenda.takePoses(0);
+  const std::vector<ReceivedPose> path = agenda.takeTool(0).poses;
   EXPECT_LE(path.size(), MAX_WAITING_POSES);
   EXPECT_EQ(count, static_cast<int>(path.size() + agenda.thinned()));
-  EXPECT_EQ(0, path.front().position.x());
-  EXPECT_EQ(count - 1, path.back().position.x());
-  for (std::size_t i = 1; i < path.size(); ++i) EXPECT_LE(path[i].position.x() - path[i - 1].position.x(), 8);
+  EXPECT_EQ(0, path.front().pose.position.x());
+  EXPECT_EQ(count - 1, path.back().pose.position.x());
+  for (std::size_t i = 1; i < path.size(); ++i) EXPECT_LE(path[i].pose.position.x() - path[i - 1].pose.position.x(), 8);
 }
 
 TEST(Agenda, ClearingReturnsTheCutsThatWereLeft) {
@@ -65,7 +65,37 @@ TEST(Agenda, ClearingReturnsTheCutsThatWereLeft) {
   agenda.add(labelled("left"), 50);
   agenda.add(at(0), 50);
   EXPECT_EQ(1u, agenda.clear().size());
-  EXPECT_TRUE(agenda.takePoses(50).empty());
+  EXPECT_TRUE(agenda.takeTool(50).poses.empty());
+}
+
+TEST(Agenda, TheBladeIsOnUntilItIsSwitchedAndAfterClearing) {
+  Agenda agenda;
+  EXPECT_TRUE(agenda.takeTool(0).active);
+  agenda.activate(false);
+  EXPECT_FALSE(agenda.takeTool(0).active);
+  agenda.clear();
+  EXPECT_TRUE(agenda.takeTool(0).active);
+}
+
+TEST(Agenda, ASwitchOfTheBladeComesBetweenThePosesBeforeAndAfterIt) {
+  Agenda agenda;
+  agenda.add(at(1), 0);
+  agenda.activate(false);
+  agenda.add(at(2), 0);
+  agenda.activate(true);
+  const ToolInput input = agenda.takeTool(0);
+  ASSERT_EQ(2u, input.poses.size());
+  EXPECT_TRUE(input.poses[0].active);
+  EXPECT_FALSE(input.poses[1].active);
+  EXPECT_TRUE(input.active);
+}
+
+TEST(Agenda, ASwitchOfTheBladeWaitsWithThePoseBeforeIt) {
+  Agenda agenda;
+  agenda.add(at(1), 30);
+  agenda.activate(false);
+  EXPECT_TRUE(agenda.takeTool(29).active);
+  EXPECT_FALSE(agenda.takeTool(30).active);
 }
 
 }  // namespace

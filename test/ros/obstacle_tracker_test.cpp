@@ -110,7 +110,7 @@ TEST_F(ObstacleTrackerTest, AfterAPauseOfThePublisherALinkIsNotFollowedLate) {
   publish("arm", 10, 1.01);
   tracker.follow(0);
   publish("arm", 15, 1.06);
-  for (int k = 0; k < static_cast<int>(std::lround(MAX_TRANSFORM_PERIOD / TIME_STEP)); ++k) tracker.follow(0);
+  for (int k = 0; k < static_cast<int>(std::lround(MAX_POSE_PERIOD / TIME_STEP)); ++k) tracker.follow(0);
   EXPECT_NEAR(1.06, armAt(), ROUNDING);
 }
 

@@ -5,6 +5,7 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+#include <std_msgs/Bool.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
@@ -41,6 +42,7 @@ class CommandInput {
  private:
   void receiveCut(const CutPlane& message);
   void receivePose(const geometry_msgs::PoseStamped& message);
+  void receiveActive(const std_msgs::Bool& message);
   void accept(const Command& command);
   void release(const Command& command);
   void refuse(const Command& command, const Refused& refused);
@@ -55,7 +57,7 @@ class CommandInput {
   tf2_ros::TransformListener listener_;
   TransformQueue transforms_;
   ros::CallbackQueue callbacks_;
-  ros::Subscriber cuts_, poses_;
+  ros::Subscriber cuts_, poses_, active_;
   ros::WallTimer poll_;
   ros::AsyncSpinner spinner_;  ///< last: its thread uses all of the above
 };

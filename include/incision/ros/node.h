@@ -10,6 +10,7 @@
 #include "incision/ros/pacer.h"
 #include "incision/ros/real_time_factor.h"
 #include "incision/ros/stepping_tasks.h"
+#include "incision/ros/tool_driver.h"
 
 namespace incision {
 
@@ -36,10 +37,11 @@ class IncisionNode {
   void setPaused(bool paused);
   void reset();
 
-  bool applyCommands(bool step_due);
+  bool applyCuts(bool step_due);
   void applyCut(const PlaneCut& plane);
-  void applyPose(const Pose& pose);
-  void moveObstacles();
+  StepTime stepTime() const;
+  void leadTool(const StepTime& time);
+  void moveObstacles(const StepTime& time);
   bool stepDue();
   void step();
   void stepFailed(const std::string& why);
@@ -66,6 +68,7 @@ class IncisionNode {
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;
   ObstacleTracker tracker_;
+  std::unique_ptr<ToolDriver> tool_;  ///< where the scene has one
   ros::AsyncSpinner spinner_;
 };
 

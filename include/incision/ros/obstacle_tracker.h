@@ -1,23 +1,17 @@
 #pragma once
 
-#include <tf2/buffer_core.h>
-
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "incision/contact/obstacles.h"
-#include "incision/ros/command.h"
+#include "incision/ros/approach.h"
+#include "incision/ros/link_lookup.h"
 
 namespace incision {
 
 /// A link that is further from where it stood than this speed [m/s] explains did not move there but was put there: it
 /// sweeps nothing on its way. No robot's hand is faster; slower jumps would throw the body about.
 inline constexpr double MAX_OBSTACLE_SPEED = 10;
-
-/// Transforms that come more seldom than steps are followed evenly, each in the time since the one before it and this
-/// [s] at most: a publisher at 10 Hz still looks smooth, and one that pauses is not followed late.
-inline constexpr double MAX_TRANSFORM_PERIOD = 0.1;
 
 /// Where a link goes in the next step.
 struct LinkMove {
@@ -44,7 +38,7 @@ class ObstacleTracker {
   const std::vector<Pose>& poses() const { return poses_; }
 
   /// Links left where they were, so far, because their transform was of no use.
-  std::uint64_t ignored() const { return ignored_; }
+  std::uint64_t ignored() const { return lookup_.ignored(); }
 
  private:
   struct Link {
@@ -53,23 +47,15 @@ class ObstacleTracker {
     double reach = 0;  ///< [m] of its shapes from its origin
     Pose target;
     Nanoseconds stamp = 0;  ///< of the target
-    int steps_left = 0;     ///< until it is reached
+    Approach approach;      ///< to the target
     bool found = false;     ///< in tf
   };
-  struct Target {
-    Pose pose;
-    Nanoseconds stamp;
-  };
-  std::optional<Target> lookUp(const std::string& name, Nanoseconds end);
-  bool aim(const Target& target, const Pose& pose, Link* link) const;
-  void ignore(const std::string& name, const std::string& why);
+  bool aim(const LinkLookup::Found& target, const Pose& pose, Link* link) const;
 
-  const tf2::BufferCore& buffer_;
-  const std::string body_frame_;
+  LinkLookup lookup_;
   const double time_step_;
   std::vector<Link> links_;
   std::vector<Pose> poses_;
-  std::uint64_t ignored_ = 0;
 };
 
 }  // namespace incision

@@ -29,9 +29,9 @@ class Reporter {
   /// What a crack did in a step.
   void report(const CrackResult& result);
 
-  /// A cut, or a tool pose, that did not get as far as the body.
+  /// A cut, or what was asked of the tool, that did not get as far as the body.
   void refuseCut(const std::string& label, const Refused& refused);
-  void refusePose(const Refused& refused);
+  void refuseTool(const Refused& refused);
 
   /// Counts so far, into the fields of the state.
   void fillState(BodyState& state) const;

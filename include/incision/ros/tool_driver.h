@@ -1,0 +1,56 @@
+#pragma once
+
+#include <incision/BodyState.h>
+#include <ros/node_handle.h>
+
+#include "incision/body/deformable_body.h"
+#include "incision/ros/link_lookup.h"
+#include "incision/ros/tool_tracker.h"
+
+namespace incision {
+
+/// When a step takes place.
+struct StepTime {
+  Nanoseconds start;    ///< on the steady clock; with use_sim_time, ROS time
+  Nanoseconds end;      ///< ROS time; 0: not known
+  bool single = false;  ///< of a paused body
+};
+
+/// Leads the body's tool along its poses, which come in messages or from tf, and publishes the wrench: force and torque
+/// of the tissue on the tool, the torque about the origin of the tool's link, both in the frame of that link. A tool
+/// that presses down on tissue is pushed up. Used by the stepping thread.
+class ToolDriver {
+ public:
+  ToolDriver(ros::NodeHandle& node, const Scene& scene, const Edge& edge, const tf2::BufferCore& buffer);
+
+  /// Before a step: the tool goes where the poses have it. Returns the strokes that ended with that.
+  std::vector<CutResult> lead(ToolInput input, const StepTime& time, DeformableBody* body);
+
+  /// Right after a step. While the tool touches, one wrench a step; then one of zero, so that nobody keeps the last
+  /// one. When the tool's pose has gone stale, one of zero with stamp zero, and none until a pose comes.
+  void publishWrench(const ToolReport& report);
+
+  /// After a reset of the body.
+  void restart();
+
+  /// The tool's fields of the state.
+  void fillState(const ToolReport& report, BodyState* state) const;
+
+ private:
+  void addFrame(const StepTime& time, ToolInput* input);
+  void publish(const ros::Time& stamp, const Vec3& force, const Vec3& torque);
+
+  const std::string frame_;  ///< in tf; empty: poses come in messages
+  const std::string wrench_frame_;
+  LinkLookup lookup_;
+  std::optional<Nanoseconds> frame_stamp_;
+  ToolTracker tracker_;
+  bool active_ = true;
+  bool pressed_ = false;  ///< the last wrench was not a zero
+  bool said_stale_ = false;
+  std::optional<SteadyTime> received_;  ///< newest pose that the last step was the first to follow
+  double latency_ = 0;                  ///< [s]
+  ros::Publisher publisher_;
+};
+
+}  // namespace incision

@@ -1,0 +1,118 @@
+#include "incision/ros/tool_tracker.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "incision/ros/tool_path.h"
+
+namespace incision {
+namespace {
+
+/// Least time [s] between two warnings of jumps.
+constexpr double WARNING_PERIOD = 2;
+
+double seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
+
+}  // namespace
+
+ToolTracker::ToolTracker(const ToolSettings& tool, const Edge& edge, double time_step)
+    : max_step_(tool.max_step), timeout_(tool.timeout), edge_(edge), time_step_(time_step) {}
+
+void ToolTracker::restart() {
+  waiting_.clear();
+  last_.reset();
+  active_ = true;
+  way_.clear();
+  approach_.stop();
+  last_call_ = 0;
+  stale_ = false;
+}
+
+ToolMove ToolTracker::follow(const ToolInput& input, Nanoseconds now, bool single) {
+  admit(input.poses, now);
+  ToolMove move;
+  bool under_way = !way_.empty();
+  int taken = 0;
+  for (; !waiting_.empty() && !(under_way && beginsStroke(waiting_.front())); waiting_.pop_front(), ++taken) {
+    take(waiting_.front(), &move);
+    under_way = true;
+  }
+  const bool switches = waiting_.empty() && input.active != active_;
+  if (switches && !under_way) active_ = input.active;
+  if (single || taken > 1 || switches || !waiting_.empty()) approach_.hurry();
+  if (taken == 0 && !single) checkAge(now);
+
+  move.active = active_;
+  if (const double share = approach_.takeShare(); share > 0) {
+    move.path = simplified(pose_, takeFront(share, pose_, edge_, &way_), edge_);
+    if (!move.path.empty()) pose_ = move.path.back();
+  }
+  last_call_ = now;
+  return move;
+}
+
+void ToolTracker::admit(const std::vector<ReceivedPose>& poses, Nanoseconds now) {
+  for (const ReceivedPose& pose : poses) {
+    waiting_.push_back(pose);
+    Nanoseconds& time = waiting_.back().time;
+    time = time > 0 ? std::min(std::max(time, last_call_), now) : now;
+  }
+  if (!poses.empty()) dropOldest();
+  if (!poses.empty() && std::exchange(stale_, false)) ROS_INFO("the tool's poses come again");
+}
+
+/// Keeps the newest strokes; the tool is put where the first of them begins.
+void ToolTracker::dropOldest() {
+  int strokes = 1;
+  for (auto i = waiting_.end() - 1; i != waiting_.begin(); --i) {
+    const ReceivedPose& before = *(i - 1);
+    if (i->active == before.active && !jumps(before.pose, i->pose)) continue;
+    if (++strokes <= MAX_WAITING_STROKES) continue;
+    waiting_.erase(waiting_.begin(), i);
+    last_.reset();
+    ++jumps_;
+    return;
+  }
+}
+
+bool ToolTracker::jumps(const std::optional<Pose>& from, const Pose& to) const {
+  return !from || travel(*from, to, edge_) > max_step_;
+}
+
+/// Whether the pose cannot be gone to in one step with what is under way.
+bool ToolTracker::beginsStroke(const ReceivedPose& pose) const {
+  return pose.active != active_ || jumps(last_, pose.pose);
+}
+
+void ToolTracker::take(const ReceivedPose& pose, ToolMove* move) {
+  active_ = pose.active;
+  if (jumps(last_, pose.pose)) {
+    if (last_) {
+      ++jumps_;
+      ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "the tool's pose jumped by " << travel(*last_, pose.pose, edge_)
+                                                                            << " m (followed: up to " << max_step_
+                                                                            << " m): a new stroke begins there");
+    }
+    move->placed = pose_ = pose.pose;
+    approach_.stop();
+  } else {
+    way_.push_back(pose.pose);
+    approach_.aim(seconds(pose.time - last_time_), time_step_);
+  }
+  last_ = pose.pose;
+  last_time_ = pose.time;
+  move->received = pose.received;
+}
+
+void ToolTracker::checkAge(Nanoseconds now) {
+  if (!last_ || stale_ || !waiting_.empty() || seconds(now - last_time_) <= timeout_) return;
+  stale_ = true;
+  way_.clear();
+  approach_.stop();
+  last_ = pose_;
+  ROS_WARN_STREAM("no pose of the tool for more than " << timeout_ << " s: it holds still where it is");
+}
+
+}  // namespace incision
