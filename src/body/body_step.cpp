@@ -20,9 +20,12 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
       step(mesh, s.body.material, s.body.mass, s.body.pressure, s.body.warping, {s.gravity, s.boundary, s.loads},
            s.solver) {
   if (scene.tool) edge = bladeEdge(*scene.tool, descriptions.tool, scene.tool->description);
-  if (scene.contact)
-    contact.emplace(*scene.contact, loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles),
-                    scene.body.material.young_modulus, scene.solver.threads);
+  if (scene.contact) {
+    Obstacles obstacles = loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles);
+    if (scene.tool && !scene.tool->link.empty() && !descriptions.tool.empty())
+      addTool({scene.tool->link, scene.tool->friction, edge}, descriptions.tool, scene.tool->description, &obstacles);
+    contact.emplace(*scene.contact, std::move(obstacles), scene.body.material.young_modulus, scene.solver.threads);
+  }
   start();
 }
 

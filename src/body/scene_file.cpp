@@ -78,7 +78,10 @@ TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs) {
 }
 
 std::string loadDescription(const Scene& scene) {
-  return scene.tool && !scene.tool->edge ? readText(scene.tool->description) : "";
+  if (!scene.tool) return "";
+  const ToolSettings& tool = *scene.tool;
+  const bool may_touch = scene.contact && !tool.description.empty() && !tool.link.empty();
+  return !tool.edge || may_touch ? readText(tool.description) : "";
 }
 
 std::string loadObstacleDescription(const Scene& scene) {

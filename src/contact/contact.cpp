@@ -79,7 +79,8 @@ void Contact::begin(const Motion& motion, double time_step, const LinkMotion& li
   trials_.resize(candidates_.size());
 }
 
-/// Takes over what the contacts of the last step have left.
+/// Takes over what the contacts of the last step have left. What lies in an obstacle is brought out of it; among pieces
+/// that hold each other in place that would wind up springs, so there a depth only goes as the pieces part.
 void Contact::recall(double time_step) {
   auto touch = touches_.begin();
   for (Candidate& candidate : candidates_) {
@@ -87,7 +88,9 @@ void Contact::recall(double time_step) {
     candidate.ignored = depth;
     while (touch != touches_.end() && comesBefore(*touch, candidate)) ++touch;
     if (touch == touches_.end() || comesBefore(candidate, *touch)) continue;
-    const double left = std::max(touch->ignored - RECOVERY * candidate.size * time_step, touch->gap - candidate.gap);
+    const double worked_off = RECOVERY * candidate.size * time_step, beyond = touch->gap - candidate.gap;
+    const double left = candidate.partner == Candidate::BODY ? std::max(touch->ignored - worked_off, beyond)
+                                                             : std::max(touch->ignored, beyond) - worked_off;
     candidate.ignored = std::clamp(left, 0.0, depth);
     candidate.slip = touch->slip - candidate.normal.dot(touch->slip) * candidate.normal;
   }
@@ -101,22 +104,27 @@ Contact::Trial Contact::tryAt(const Candidate& candidate, double time_step, cons
   trial.slip = candidate.slip + stretch - closing * candidate.normal;
   trial.presses = trial.gap < -TOUCHING * candidate.size;
   // Where it slides, the spring that gives the friction there is: a secant, so the system stays symmetric.
-  const double most = settings_.friction * candidate.stiffness * std::max(0.0, -trial.gap), drag = trial.slip.norm();
+  const double most = frictionOf(candidate) * candidate.stiffness * std::max(0.0, -trial.gap), drag = trial.slip.norm();
   trial.tangential = TANGENTIAL * candidate.stiffness;
   if (trial.tangential * drag > most) trial.tangential = most / drag;
   return trial;
 }
 
+double Contact::frictionOf(const Candidate& candidate) const {
+  return candidate.held.tool ? obstacles_.tool.friction : settings_.friction;
+}
+
 bool Contact::update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
   parallelFor(static_cast<int>(candidates_.size()), threads_,
               [&](int i) { trials_[i] = tryAt(candidates_[i], time_step, v_end); });
-  double wrong = 0, all = 0, wrong_friction = 0;
+  double wrong = 0, all = 0, wrong_friction = 0, all_friction = 0;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Trial &trial = trials_[i], &used = used_[i];
     const double force = candidates_[i].stiffness * std::abs(trial.gap);
     if (trial.presses != used.presses) wrong += force;
     if (!trial.presses) continue;
     all += force;
+    all_friction += frictionOf(candidates_[i]) * force;
     if (used.presses) wrong_friction += std::abs(trial.tangential - used.tangential) * trial.slip.norm();
     Coupling coupling = candidates_[i].held;
     const Candidate& candidate = candidates_[i];
@@ -128,7 +136,7 @@ bool Contact::update(double time_step, const std::vector<Vec3>& v_end, std::vect
     couplings->push_back(coupling);
   }
   used_.swap(trials_);
-  return wrong > NORMAL_TOLERANCE * all || wrong_friction > FRICTION_TOLERANCE * settings_.friction * all;
+  return wrong > NORMAL_TOLERANCE * all || wrong_friction > FRICTION_TOLERANCE * all_friction;
 }
 
 ContactReport Contact::accept(double time_step, const std::vector<Vec3>& v_end) {
@@ -136,16 +144,17 @@ ContactReport Contact::accept(double time_step, const std::vector<Vec3>& v_end) 
   touches_.clear();
   for (const Candidate& candidate : candidates_) {
     const Trial trial = tryAt(candidate, time_step, v_end);
-    if (!trial.presses) continue;
-    ++report.count;
+    const bool of_body = candidate.partner == Candidate::BODY, is_inside = trial.gap < candidate.ignored;
+    if (!trial.presses && (of_body || !is_inside)) continue;  // in an obstacle it is brought out, pressed or not
     const double drag = trial.tangential / (TANGENTIAL * candidate.stiffness);
-    report.energy +=
-        0.5 * candidate.stiffness * (trial.gap * trial.gap + TANGENTIAL * (drag * trial.slip).squaredNorm());
-    report.deepest = std::max(report.deepest, candidate.ignored - trial.gap);
-    const bool of_body = candidate.partner == Candidate::BODY;
     const int vertex = of_body ? surface_.samples[candidate.sample].vertex : candidate.sample;
     touches_.push_back({candidate.sample, candidate.partner, trial.gap, candidate.ignored, drag * trial.slip,
                         candidate.side, surface_.surface->vertices[vertex], of_body ? orderOf(candidate.sample) : 0});
+    if (!trial.presses) continue;
+    ++report.count;
+    report.energy +=
+        0.5 * candidate.stiffness * (trial.gap * trial.gap + TANGENTIAL * (drag * trial.slip).squaredNorm());
+    report.deepest = std::max(report.deepest, candidate.ignored - trial.gap);
   }
   return report;
 }

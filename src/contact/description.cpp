@@ -171,6 +171,14 @@ std::vector<DescribedLink> parseDescription(const std::string& urdf, const std::
   return links;
 }
 
+const DescribedLink& findLink(const std::vector<DescribedLink>& links, const std::string& link,
+                              const std::string& name) {
+  const auto found = std::find_if(links.begin(), links.end(), [&](const DescribedLink& l) { return l.name == link; });
+  if (found == links.end())
+    throw InputError(linkInMessage(name, link) + " does not exist (allowed: a link of the description)");
+  return *found;
+}
+
 std::string linkInMessage(const std::string& name, const std::string& link) {
   return name + ": link '" + oneLine(link) + "'";
 }

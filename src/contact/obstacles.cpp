@@ -24,6 +24,12 @@ void addLink(const DescribedLink& link, const std::string& where, Obstacles* obs
   }
 }
 
+void checkCount(std::size_t count, const std::string& name) {
+  if (count > 0 && count <= MAX_OBSTACLES) return;
+  throw InputError(name + ": " + std::to_string(count) + " collision shapes (allowed: 1 to " +
+                   std::to_string(MAX_OBSTACLES) + ")");
+}
+
 Obstacle groundAt(double height) {
   Obstacle ground;
   ground.pose.position.z() = height;
@@ -37,14 +43,21 @@ Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf
   if (!settings.obstacles.empty()) {
     for (const DescribedLink& link : parseDescription(urdf, name))
       addLink(link, linkInMessage(name, link.name), &obstacles);
-    const std::size_t count = obstacles.shapes.size();
-    if (count == 0 || count > MAX_OBSTACLES) {
-      throw InputError(name + ": " + std::to_string(count) + " collision shapes (allowed: 1 to " +
-                       std::to_string(MAX_OBSTACLES) + ")");
-    }
+    checkCount(obstacles.shapes.size(), name);
   }
   if (settings.ground) obstacles.shapes.push_back(groundAt(*settings.ground));
   return obstacles;
+}
+
+void addTool(const ToolBody& tool, const std::string& urdf, const std::string& name, Obstacles* obstacles) {
+  const std::vector<DescribedLink> links = parseDescription(urdf, name);
+  const DescribedLink& link = findLink(links, tool.link, name);
+  const std::size_t others = obstacles->shapes.size();
+  addLink(link, linkInMessage(name, link.name), obstacles);
+  if (obstacles->shapes.size() == others) return;
+  checkCount(obstacles->shapes.size(), name);
+  obstacles->tool_link = static_cast<int>(obstacles->links.size()) - 1;
+  obstacles->tool = tool;
 }
 
 }  // namespace incision

@@ -1,5 +1,7 @@
 #include "incision/contact/shape.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -47,6 +49,21 @@ ShapeDistance distanceToCylinder(double radius, double length, const Vec3& point
   return {distance, {normal[0] * radial[0], normal[0] * radial[1], normal[1]}};
 }
 
+/// What of a vector lies along the normals of the shape's faces; a round face turns its normal to the vector.
+std::array<Vec3, 3> alongFaces(ShapeKind kind, const Vec3& n) {
+  switch (kind) {
+    case ShapeKind::BOX:
+      return {Vec3(n.x(), 0, 0), Vec3(0, n.y(), 0), Vec3(0, 0, n.z())};
+    case ShapeKind::CYLINDER:
+      return {Vec3(n.x(), n.y(), 0), Vec3(0, 0, n.z()), Vec3::Zero()};
+    case ShapeKind::HALF_SPACE:
+      return {Vec3(0, 0, n.z()), Vec3::Zero(), Vec3::Zero()};
+    case ShapeKind::SPHERE:
+      break;
+  }
+  return {n, Vec3::Zero(), Vec3::Zero()};
+}
+
 }  // namespace
 
 ShapeDistance distanceTo(const Shape& shape, const Vec3& point) {
@@ -61,6 +78,31 @@ ShapeDistance distanceTo(const Shape& shape, const Vec3& point) {
       break;
   }
   return {point.z(), Vec3::UnitZ()};
+}
+
+ShapeDistance distanceAgainst(const Shape& shape, const Vec3& point, const Vec3& n) {
+  ShapeDistance nearest{-std::numeric_limits<double>::infinity(), -n};
+  for (const Vec3& share : alongFaces(shape.kind, n)) {
+    if (!(share.norm() > LEAST_OPPOSITION)) continue;
+    const Vec3 normal = -share.normalized();
+    const double distance = normal.dot(point) - reachAlong(shape, normal);
+    if (distance > nearest.distance) nearest = {distance, normal};
+  }
+  return nearest;
+}
+
+double thickness(const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::SPHERE:
+      return 2 * shape.size[0];
+    case ShapeKind::BOX:
+      return shape.size.minCoeff();
+    case ShapeKind::CYLINDER:
+      return std::min(2 * shape.size[0], shape.size[2]);
+    case ShapeKind::HALF_SPACE:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 double reachAlong(const Shape& shape, const Vec3& n) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <utility>
 
 #include "incision/mesh/parallel.h"
 #include "incision/solver/direct_solver.h"
@@ -95,9 +96,12 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion, const 
   return true;
 }
 
-/// Solves, and again as long as that changes the couplings, with the last solution as a guess.
+/// Solves, and again as long as that changes the couplings, with the last solution as a guess. What else acts on the
+/// body is affine in Δv; so between two solutions the impulses that bring it there are between theirs, whatever
+/// couplings there may be at that point.
 bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, const Couple& couple) {
   couplings_.clear();
+  on_tool_ = Wrench();
   if (couple) updateCouplings(time_step, motion, couple);
   stats_ = SolveStats();
   int iterations = 0;
@@ -116,8 +120,11 @@ bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, const Co
     iterations += stats_.iterations;
     stats_.iterations = iterations;
     if (!stats_.converged) return false;
-    if (!couple || !updateCouplings(time_step, motion, couple)) return true;
-    if (k > 0) stepBack(time_step, motion, couple);
+    if (!couple) return true;
+    findEnd(motion);
+    const Wrench before = std::exchange(on_tool_, toolWrench(couplings_, time_step, motion.x, v_end_));
+    if (!updateCouplings(time_step, motion, couple)) return true;
+    if (k > 0) on_tool_ = between(before, on_tool_, stepBack(time_step, motion, couple));
   }
   return true;
 }
@@ -125,8 +132,8 @@ bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, const Co
 /// Where the couplings at the new Δv drive it back, it has gone too far from the last one: takes the point between at
 /// which they drive it nowhere along that line. The forces of contacts descend from a convex potential, so this ends
 /// circles in which contacts close and part in turn, and what the last solve leaves is no worse than what it began
-/// with.
-void ImplicitStep::stepBack(double time_step, const Motion& motion, const Couple& couple) {
+/// with. Returns the share of the way to the new Δv.
+double ImplicitStep::stepBack(double time_step, const Motion& motion, const Couple& couple) {
   towards_ = dv_;
   for (std::size_t c = 0; c < dv_.size(); ++c) towards_[c] -= dv_before_[c];
   const auto driveAt = [&](double share) {
@@ -134,14 +141,16 @@ void ImplicitStep::stepBack(double time_step, const Motion& motion, const Couple
     updateCouplings(time_step, motion, couple);
     return drive(time_step, motion);
   };
-  if (!(drive(time_step, motion) < 0)) return;
+  if (!(drive(time_step, motion) < 0)) return 1;
   const double at_start = driveAt(0);
-  double near = 0, far = 1;
+  double near = 0, far = 1, share = 1;
   for (int k = 0; k < MAX_SEARCH; ++k) {
-    const double share = (near + far) / 2, here = driveAt(share);
-    if (std::abs(here) < SEARCH_TOLERANCE * at_start) return;
+    share = (near + far) / 2;
+    const double here = driveAt(share);
+    if (std::abs(here) < SEARCH_TOLERANCE * at_start) break;
     (here > 0 ? near : far) = share;
   }
+  return share;
 }
 
 /// How the forces at Δv drive it on along the last step.
@@ -152,9 +161,14 @@ double ImplicitStep::drive(double time_step, const Motion& motion) {
   return sum;
 }
 
-bool ImplicitStep::updateCouplings(double time_step, const Motion& motion, const Couple& couple) {
+/// The velocities at the end of the step, for Δv as it is.
+void ImplicitStep::findEnd(const Motion& motion) {
   v_end_.resize(motion.v.size());
   for (std::size_t c = 0; c < v_end_.size(); ++c) v_end_[c] = motion.v[c] + dv_[c];
+}
+
+bool ImplicitStep::updateCouplings(double time_step, const Motion& motion, const Couple& couple) {
+  findEnd(motion);
   return couple(time_step, v_end_, &couplings_);
 }
 

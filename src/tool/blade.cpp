@@ -32,17 +32,12 @@ Edge longestEdge(const DescribedShape& box, const std::string& where) {
 Edge bladeEdge(const ToolSettings& tool, const std::string& urdf, const std::string& name) {
   if (tool.edge) return checkedEdge(*tool.edge, name);
   const std::vector<DescribedLink> links = parseDescription(urdf, name);
+  const DescribedLink& link = findLink(links, tool.link, name);
   const std::string where = linkInMessage(name, tool.link);
-  const auto link = std::find_if(links.begin(), links.end(), [&](const auto& l) { return l.name == tool.link; });
-  if (link == links.end()) throw InputError(where + " does not exist (allowed: a link of the description)");
-  const auto box = std::find_if(link->shapes.begin(), link->shapes.end(),
+  const auto box = std::find_if(link.shapes.begin(), link.shapes.end(),
                                 [](const auto& s) { return !s.is_mesh && s.shape.kind == ShapeKind::BOX; });
-  if (box != link->shapes.end()) return longestEdge(*box, where);
-  throw InputError(where + (link->fault.empty() ? " has no collision box to take the edge from" : ": " + link->fault));
-}
-
-Edge placed(const Edge& edge, const Pose& pose) {
-  return {pose.position + pose.orientation * edge[0], pose.position + pose.orientation * edge[1]};
+  if (box != link.shapes.end()) return longestEdge(*box, where);
+  throw InputError(where + (link.fault.empty() ? " has no collision box to take the edge from" : ": " + link.fault));
 }
 
 }  // namespace incision

@@ -18,7 +18,8 @@ inline constexpr double MARGIN = 0.1;
 
 /// A contact that begins inside, as where corners slide past each other or a scene starts with an overlap, or that gets
 /// deeper by coming upon another plane, leaves that depth alone at first and works it off at this speed, in elements a
-/// second: a spring that is there at once would come with energy from nowhere, and shoot the body out.
+/// second, where it is an obstacle that it lies in: a spring that is there at once would come with energy from nowhere,
+/// and shoot the body out.
 inline constexpr double RECOVERY = 1;
 
 /// Contacts of the body with itself that begin deeper than this, in elements, are none: the point lies behind a face of

@@ -54,6 +54,7 @@ class Contact {
     bool presses;
   };
   Trial tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const;
+  double frictionOf(const Candidate& candidate) const;
   void recall(double time_step);
   int orderOf(int sample) const;
 

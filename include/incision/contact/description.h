@@ -26,6 +26,10 @@ struct DescribedLink {
 /// errors call it. Throws InputError, in one line, when the text is no URDF or a hostile one.
 std::vector<DescribedLink> parseDescription(const std::string& urdf, const std::string& name);
 
+/// The link called so. Throws InputError where there is none; `name` is what errors call the description.
+const DescribedLink& findLink(const std::vector<DescribedLink>& links, const std::string& link,
+                              const std::string& name);
+
 /// "name: link 'link'", fit for one line of a message.
 std::string linkInMessage(const std::string& name, const std::string& link);
 

@@ -24,9 +24,20 @@ struct ObstacleLink {
   Pose pose;         ///< in the body's frame, as described
 };
 
+/// What of a tool touches, and how.
+struct ToolBody {
+  std::string link;     ///< of its description, whose collision shapes these are
+  double friction = 0;  ///< Coulomb's coefficient, of these shapes alone
+  Edge edge;            ///< in the link's frame; two different points, near which the shapes give way
+};
+
 struct Obstacles {
   std::vector<ObstacleLink> links;  ///< those that have shapes
   std::vector<Obstacle> shapes;
+  int tool_link = -1;  ///< the link that is the tool's, which the body itself moves; −1: none
+  ToolBody tool;       ///< where there is a tool's link
+
+  bool isTool(const Obstacle& shape) const { return tool_link >= 0 && shape.link == tool_link; }
 };
 
 /// Most collision shapes of a description. Each is held against the whole body in each step, and a robot in a
@@ -38,5 +49,9 @@ inline constexpr std::size_t MAX_OBSTACLES = 1000;
 /// Throws InputError when the description is unreadable or hostile, when it has no collision shape or too many, or one
 /// that is a mesh, has a size that is not positive, or lies out of range.
 Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name);
+
+/// Adds the collision shapes of a tool as one more link, if it has any. `urdf` is the text of its description, `name`
+/// what errors call it. Throws InputError as loadObstacles does for a shape, and where there is no such link.
+void addTool(const ToolBody& tool, const std::string& urdf, const std::string& name, Obstacles* obstacles);
 
 }  // namespace incision

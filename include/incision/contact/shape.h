@@ -25,6 +25,17 @@ struct ShapeDistance {
 /// them.
 ShapeDistance distanceTo(const Shape& shape, const Vec3& point);
 
+/// A face opposes a normal where the two are against each other by this cosine at least. One of a box's always is.
+inline constexpr double LEAST_OPPOSITION = 0.3;
+
+/// Where a point lies against the face of the shape, nearest of those that oppose `n`, the unit normal of a surface
+/// that the point is on, both in the shape's frame: there the point comes out on the side of what the surface bounds,
+/// however far that is. The face is taken for the whole of its plane.
+ShapeDistance distanceAgainst(const Shape& shape, const Vec3& point, const Vec3& n);
+
+/// Smallest distance of two parallel planes between which the shape fits [m]. Infinite for a half space.
+double thickness(const Shape& shape);
+
 /// Largest n·q over the points q of the shape, for a unit vector n: how far it reaches that way [m]. Infinite for a
 /// half space, but along its normal.
 double reachAlong(const Shape& shape, const Vec3& n);

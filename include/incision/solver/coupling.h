@@ -16,6 +16,7 @@ struct Coupling {
   int count = 0;
   Mat3 stiffness = Mat3::Zero();  ///< K [N/m], symmetric, positive semidefinite
   Vec3 force = Vec3::Zero();      ///< F [N], what it would be if nothing moved in the step
+  bool tool = false;              ///< acts between the body and the tool, whose reaction is asked for
 
   /// Adds to the weight of a copy.
   void add(int copy, double weight) {
@@ -30,6 +31,9 @@ struct Coupling {
 /// Writes the couplings of a step of `time_step` [s], for velocities at its end as far as they are known [m/s]: before
 /// the first solve they are a guess. Returns whether the couplings have changed so much that it takes another solve.
 using Couple = std::function<bool(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings)>;
+
+/// Δt times the force on y [N s], for the velocities `v_end` at the end of the step.
+Vec3 impulseOf(const Coupling& coupling, double time_step, const std::vector<Vec3>& v_end);
 
 /// Adds Δt times the forces [N s] of the couplings at the velocities `v_end` at the end of the step.
 void addImpulses(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& v_end,

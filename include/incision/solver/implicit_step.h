@@ -5,6 +5,7 @@
 
 #include "incision/fem/boundary.h"
 #include "incision/solver/linear_solver.h"
+#include "incision/solver/wrench.h"
 
 namespace incision {
 
@@ -48,6 +49,9 @@ class ImplicitStep {
   const Assembly& assembly() const { return assembly_; }
   const SolveStats& stats() const { return stats_; }
   const StepTimes& times() const { return times_; }
+  /// What the couplings with the tool did to it in the last step, as toolWrench says, by just the impulses that changed
+  /// the body's momentum.
+  const Wrench& onTool() const { return on_tool_; }
   /// The hold of each copy, or −1.
   const std::vector<int>& held() const { return held_; }
   /// The piece of each copy, and how many there are.
@@ -59,7 +63,8 @@ class ImplicitStep {
   void prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
   bool solveCoupled(double time_step, const Motion& motion, const Couple& couple);
   bool updateCouplings(double time_step, const Motion& motion, const Couple& couple);
-  void stepBack(double time_step, const Motion& motion, const Couple& couple);
+  void findEnd(const Motion& motion);
+  double stepBack(double time_step, const Motion& motion, const Couple& couple);
   double drive(double time_step, const Motion& motion);
   bool joinGroups();
   LinearSolver* current() { return fallback_steps_ > 0 ? fallback_.get() : solver_.get(); }
@@ -89,6 +94,7 @@ class ImplicitStep {
   std::vector<Vec3> dv_, external_, y_, inertia_, v_end_;
   std::vector<Vec3> dv_before_, towards_, drive_;  // where a step towards other couplings begins, itself, and residual
   std::vector<Coupling> couplings_;
+  Wrench on_tool_;
   bool was_coupled_ = false;  // the matrix that the solver knows holds couplings
   SolveStats stats_;
   StepTimes times_;

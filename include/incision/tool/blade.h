@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,9 +13,6 @@ struct TimedPose {
   double time = 0;  ///< [s]
   Pose pose;
 };
-
-/// A cutting edge: its two ends [m].
-using Edge = std::array<Vec3, 2>;
 
 struct ToolSettings {
   std::string description = {};   ///< URDF file; may be empty when `edge` is given
@@ -40,8 +35,5 @@ struct ToolSettings {
 /// two of the box's coordinates are smallest. `urdf` is the text of the description, `name` what errors call it.
 /// Throws InputError when the description is unreadable or hostile, lacks the link, or gives no edge.
 Edge bladeEdge(const ToolSettings& tool, const std::string& urdf, const std::string& name);
-
-/// The edge carried to a pose.
-Edge placed(const Edge& edge, const Pose& pose);
 
 }  // namespace incision
