@@ -31,8 +31,8 @@ class ToolDropout(unittest.TestCase):
         cls.client = Client()
 
     def setUp(self):
-        self.client.activate_tool()
         self.client.reset()
+        self.client.activate_tool()
         self.reports, self.jumps = len(self.client.reports), self.client.state.tool_jumps
 
     def draw(self, *ys):

@@ -28,8 +28,8 @@ class ToolWrench(unittest.TestCase):
         cls.client = Client()
 
     def setUp(self):
-        self.client.activate_tool(False)
         self.client.reset()
+        self.client.activate_tool(False)
         self.seen = len(self.client.wrenches)
 
     def position(self, above):
