@@ -46,7 +46,7 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
       result.reason = limit.what();
     }
   }
-  result.pieces = step.pieces();
+  result.pieces = pieces();
   result.duration = secondsSince(start_time);
   return result;
 }

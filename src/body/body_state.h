@@ -5,6 +5,7 @@
 
 #include "incision/body/deformable_body.h"
 #include "incision/solver/backward_difference.h"
+#include "incision/tool/cutting_edge.h"
 #include "incision/tool/stroke.h"
 
 namespace incision {
@@ -22,7 +23,13 @@ inline double secondsSince(Clock::time_point start) {
 struct ToolMotion {
   std::optional<Pose> pose;  // none: there is no tool in place
   std::vector<Pose> path;    // evenly in time; empty: it stays
+  Pose from, to;             // of the step being taken
   bool active = true;        // the blade cuts
+};
+
+/// What acts in a step beside the body's own stiffness.
+struct Acting {
+  bool contact = false, cohesion = false, ties = false, edge = false;
 };
 
 /// What a body is made of. Commands change the mesh, steps the motion.
@@ -36,17 +43,24 @@ struct DeformableBody::State {
   CutResult cut(const PlaneCut& plane);
   void guideTool(const std::vector<Pose>& path);
   void followScript();
+  void startTool();
   void sweepTool(StepResult* result);
+  ToolReport toolReport() const;
   std::vector<Vec3> positionsWithin(double share) const;
-  void cutAlong(const Edge& from, const Edge& to, const std::vector<Vec3>& x);
+  void cutAlong(const Edge& to, const std::vector<Vec3>& x);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
   void fracture(StepResult* result);
   const Surface& currentSurface() const;
   bool advance(double time, double time_step);
+  bool beginCouplings(double time_step);
+  bool updateCouplings(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
+  void acceptCouplings(double time_step);
   bool advanceFreely(double time, double time_step);
   bool advanceInHalves(double time, double time_step);
   std::optional<Pose> scriptedPose(double at) const;
+  std::vector<int> pieceOf(int* pieces) const;
+  int pieces() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
 
   Scene scene;
@@ -66,6 +80,13 @@ struct DeformableBody::State {
   double contact_ms = 0;  // to find what may touch in the step
   Stroke stroke;
   CutResult stroke_result;
+  double area_before = 0;  // cut before the stroke [m²]
+  double last_area = 0;    // by the last stroke that ended [m²]
+  // Where there is a tool:
+  std::optional<Ties> ties;
+  std::optional<CuttingEdge> cutting;
+  Wrench on_tool;  // in the last step, about the origin of the body's frame
+  Acting acting;
   std::uint64_t topology_version = 0;
   std::uint64_t contact_version = 0;
   mutable Surface surface;

@@ -40,6 +40,12 @@ void DeformableBody::State::start() {
   tool = ToolMotion();
   stroke = Stroke();
   stroke_result = CutResult();
+  area_before = last_area = 0;
+  on_tool = Wrench();
+  if (scene.tool) {
+    ties.emplace(scene.body.material.young_modulus, scene.tool->progressive);
+    cutting.emplace(*scene.tool, scene.body.material.young_modulus, mesh);
+  }
   if (scene.fracture) growth.emplace(*scene.fracture);
   if (scene.fracture && scene.fracture->fracture_energy)
     cohesion.emplace(*scene.fracture, scene.body.material.young_modulus);
@@ -66,6 +72,7 @@ void DeformableBody::State::topologyChanged(const std::vector<int>& touched) {
   past.forget();
   if (growth) growth->topologyChanged(step.assembly(), touched);
   if (cohesion) cohesion->topologyChanged(mesh);
+  if (ties) ties->topologyChanged(mesh);
   ++topology_version;
 }
 
@@ -103,11 +110,8 @@ const Surface& DeformableBody::State::currentSurface() const {
   return surface;
 }
 
-/// One step of `time_step`, in which the obstacles move from links.from to links.to. Returns false with nothing
-/// changed.
-bool DeformableBody::State::advance(double time, double time_step) {
-  const bool holds = cohesion && !cohesion->empty();
-  if (!contact && !holds) return advanceFreely(time, time_step);
+/// Finds what may act in a step from here; returns whether anything may.
+bool DeformableBody::State::beginCouplings(double time_step) {
   if (contact) {
     const auto start = Clock::now();
     if (contact_version != topology_version) contact->surfaceChanged(currentSurface(), mesh, step.pieceOf());
@@ -115,20 +119,49 @@ bool DeformableBody::State::advance(double time, double time_step) {
     contact->begin(motion, time_step, links);
     contact_ms = 1e3 * secondsSince(start);
   }
-  if (holds) cohesion->begin(mesh, motion.x);
-  const auto couple = [&](double dt, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
-    couplings->clear();
-    const bool touch_changes = contact && contact->update(dt, v_end, couplings);
-    const bool hold_changes = holds && cohesion->update(dt, v_end, couplings);
-    return touch_changes || hold_changes;
-  };
-  const bool coupled = holds || contact->mayTouch();
-  if (coupled) past.forget();
-  if (!(coupled ? step.advance(time, time_step, &motion, couple) : advanceFreely(time, time_step))) return false;
-  if (holds) cohesion->accept(motion.x);
-  if (!contact) return true;
+  if (cutting) cutting->leave();
+  if (tool.pose && tool.active) cutting->begin(placed(edge, tool.from), placed(edge, tool.to), mesh, motion.x, *ties);
+  acting.contact = contact && contact->mayTouch();
+  acting.cohesion = cohesion && !cohesion->empty();
+  acting.ties = ties && !ties->empty();
+  acting.edge = cutting && cutting->held();
+  if (acting.cohesion) cohesion->begin(mesh, motion.x);
+  if (acting.ties) ties->begin(mesh, motion.x);
+  return acting.contact || acting.cohesion || acting.ties || acting.edge;
+}
+
+/// As Couple says.
+bool DeformableBody::State::updateCouplings(double time_step, const std::vector<Vec3>& v_end,
+                                            std::vector<Coupling>* couplings) {
+  couplings->clear();
+  const bool touch_changes = acting.contact && contact->update(time_step, v_end, couplings);
+  const bool hold_changes = acting.cohesion && cohesion->update(time_step, v_end, couplings);
+  const bool edge_changes = acting.edge && cutting->update(time_step, v_end, couplings);
+  if (acting.ties) ties->append(couplings);
+  return touch_changes || hold_changes || edge_changes;
+}
+
+/// The step has been taken.
+void DeformableBody::State::acceptCouplings(double time_step) {
+  if (acting.cohesion) cohesion->accept(motion.x);
+  if (acting.edge) cutting->accept(time_step, motion.v);
+  tool.from = tool.to;
+  if (!contact) return;
   touching = contact->accept(time_step, motion.v);
   links.from = links.to;
+}
+
+/// One step of `time_step`, in which the obstacles and the tool move from where they are to where they go. Returns
+/// false with nothing changed.
+bool DeformableBody::State::advance(double time, double time_step) {
+  const bool coupled = beginCouplings(time_step);
+  if (coupled) past.forget();
+  const auto couple = [&](double dt, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
+    return updateCouplings(dt, v_end, couplings);
+  };
+  if (!(coupled ? step.advance(time, time_step, &motion, couple) : advanceFreely(time, time_step))) return false;
+  on_tool = step.onTool();
+  acceptCouplings(time_step);
   return true;
 }
 
@@ -142,21 +175,31 @@ bool DeformableBody::State::advanceFreely(double time, double time_step) {
 bool DeformableBody::State::advanceInHalves(double time, double time_step) {
   const Motion before = motion;
   const LinkMotion whole = links;
+  const ToolMotion whole_tool = tool;
   const std::optional<Contact> contact_before = contact;
   const std::optional<Cohesion> cohesion_before = cohesion;
+  const std::optional<CuttingEdge> cutting_before = cutting;
   const double half = time_step / 2;
   past.forget();
   for (std::size_t i = 0; i < links.to.size(); ++i) links.to[i] = between(whole.from[i], whole.to[i], 0.5);
+  tool.to = between(tool.from, tool.to, 0.5);
   if (advance(time, half)) {
     links.to = whole.to;
+    tool.to = whole_tool.to;
+    const Wrench first = on_tool;
     const bool done = advance(time + half, half);
     past.forget();
-    if (done) return true;
+    if (done) {
+      on_tool = between(first, on_tool, 0.5);
+      return true;
+    }
   }
   motion = before;
   links = whole;
+  tool = whole_tool;
   contact = contact_before;
   cohesion = cohesion_before;
+  cutting = cutting_before;
   return false;
 }
 

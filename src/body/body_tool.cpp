@@ -11,6 +11,20 @@ constexpr double MAX_SWEEP_TURN = 0.1;
 
 }  // namespace
 
+/// The piece of each copy, and how many there are: what a blade has not swept yet holds together.
+std::vector<int> DeformableBody::State::pieceOf(int* pieces) const {
+  std::vector<int> piece_of = step.pieceOf();
+  *pieces = ties && !ties->empty() ? ties->joinPieces(mesh, &piece_of) : step.pieces();
+  return piece_of;
+}
+
+int DeformableBody::State::pieces() const {
+  if (!ties || ties->empty()) return step.pieces();
+  int count = 0;
+  pieceOf(&count);
+  return count;
+}
+
 void DeformableBody::State::guideTool(const std::vector<Pose>& path) {
   auto next = path.begin();
   if (!tool.pose && next != path.end()) tool.pose = *next++;
@@ -37,6 +51,20 @@ void DeformableBody::State::followScript() {
   if (const std::optional<Pose> pose = scriptedPose(time() + scene.solver.time_step)) guideTool({*pose});
 }
 
+/// Before a step: the tool goes from where it is to the end of its path.
+void DeformableBody::State::startTool() {
+  const int link = contact ? contact->obstacles().tool_link : -1;
+  if (link >= 0) links.has_tool = tool.pose.has_value();
+  if (!tool.pose) return;
+  tool.from = *tool.pose;
+  tool.to = tool.path.empty() ? tool.from : tool.path.back();
+  stroke.start(placed(edge, tool.from), motion.x);
+  if (link < 0) return;
+  links.from[link] = tool.from;
+  links.to[link] = tool.to;
+  links.cuts = tool.active;
+}
+
 /// Where the copies stood at a share of the last step, of which they are at the end [m].
 std::vector<Vec3> DeformableBody::State::positionsWithin(double share) const {
   std::vector<Vec3> x = motion.x;
@@ -52,11 +80,12 @@ void DeformableBody::State::sweepTool(StepResult* result) {
   if (!path.empty()) tool.pose = path.back();
   if (!tool.active) return;
   double done = 0;
+  if (path.empty()) cutAlong(placed(edge, last), motion.x);
   for (const Pose& pose : path) {
     const int sweeps = 1 + static_cast<int>(last.orientation.angularDistance(pose.orientation) / MAX_SWEEP_TURN);
     for (int k = 0; k < sweeps; ++k) {
-      const double begin = static_cast<double>(k) / sweeps, end = static_cast<double>(k + 1) / sweeps;
-      cutAlong(placed(edge, between(last, pose, begin)), placed(edge, between(last, pose, end)),
+      const double end = static_cast<double>(k + 1) / sweeps;
+      cutAlong(placed(edge, between(last, pose, end)),
                positionsWithin((done + end) / static_cast<double>(path.size())));
     }
     last = pose;
@@ -66,13 +95,13 @@ void DeformableBody::State::sweepTool(StepResult* result) {
   if (const std::optional<CutResult> ended = endStroke()) result->cuts.push_back(*ended);
 }
 
-void DeformableBody::State::cutAlong(const Edge& from, const Edge& to, const std::vector<Vec3>& x) {
+void DeformableBody::State::cutAlong(const Edge& to, const std::vector<Vec3>& x) {
   const auto start_time = Clock::now();
   try {
-    const Insertion done = stroke.sweep(from, to, x, &mesh);
+    const Insertion done = stroke.sweep(to, x, &mesh, &*ties);
     if (done.changed()) {
       stroke_result.status = CutStatus::APPLIED;
-      stroke_result.cracks = 1;
+      stroke_result.cracks = stroke.cracks();
       stroke_result.parts_split += done.parts_split;
       stroke_result.copies_added += done.copies_added;
       topologyChanged(done.touched);
@@ -84,13 +113,27 @@ void DeformableBody::State::cutAlong(const Edge& from, const Edge& to, const std
   stroke_result.duration += secondsSince(start_time);
 }
 
+ToolReport DeformableBody::State::toolReport() const {
+  ToolReport report;
+  if (!tool.pose) return report;
+  const Wrench wrench = seenFrom(*tool.pose, on_tool);
+  report.force = wrench.force;
+  report.torque = wrench.torque;
+  report.touching = cutting->inTissue() || !wrench.force.isZero(0);
+  report.depth = cutting->depth();
+  report.stroke_area = stroke.begun() ? ties->area() - area_before : last_area;
+  return report;
+}
+
 std::optional<CutResult> DeformableBody::State::endStroke() {
-  if (!stroke.begun()) return std::nullopt;
+  if (!scene.tool) return std::nullopt;
   CutResult result = std::exchange(stroke_result, CutResult());
+  if (stroke.begun()) last_area = ties->area() - area_before;
   stroke = Stroke();
+  area_before = ties->area();
   if (result.status == CutStatus::MISSED) return std::nullopt;  // it grazed the body
   result.label = "tool";
-  result.pieces = step.pieces();
+  result.pieces = pieces();
   return result;
 }
 

@@ -41,7 +41,7 @@ StepResult DeformableBody::step() {
     result.phase_ms.fracture = 1e3 * secondsSince(fracturing);
   }
 
-  if (s.tool.pose) s.stroke.start(s.motion.x);
+  s.startTool();
   const double dt = s.scene.solver.time_step, t = s.time();
   if (!s.advance(t, dt) && !s.advanceInHalves(t, dt)) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
@@ -55,6 +55,7 @@ StepResult DeformableBody::step() {
     result.phase_ms.cut += 1e3 * secondsSince(sweeping);
   }
   result.contact = s.touching;
+  result.tool = s.toolReport();
   result.iterations = s.step.stats().iterations;
   result.residual = s.step.stats().residual;
   result.phase_ms.contact = s.contact_ms;
@@ -135,7 +136,7 @@ BodyCounts DeformableBody::counts() const {
   counts.copies = mesh.numCopies();
   counts.dofs = 3 * counts.copies;
   counts.cracks = mesh.numCracks();
-  counts.pieces = state_->step.pieces();
+  counts.pieces = state_->pieces();
   return counts;
 }
 
@@ -157,10 +158,12 @@ BodyMotion DeformableBody::motion() const {
 }
 
 std::vector<double> DeformableBody::pieceVolumes() const {
-  std::vector<double> volumes(state_->step.pieces(), 0);
+  int pieces = 0;
+  const std::vector<int> piece_of = state_->pieceOf(&pieces);
+  std::vector<double> volumes(pieces, 0);
   const std::vector<Part>& parts = state_->mesh.parts();
   for (std::size_t p = 0; p < parts.size(); ++p)
-    volumes[state_->step.pieceOf()[parts[p].copies[0]]] += state_->step.assembly().volume(static_cast<int>(p));
+    volumes[piece_of[parts[p].copies[0]]] += state_->step.assembly().volume(static_cast<int>(p));
   std::sort(volumes.begin(), volumes.end());
   return volumes;
 }

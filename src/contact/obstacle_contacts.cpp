@@ -86,11 +86,12 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
 /// What holds a vertex off a shape of the tool, in the shape's frame, where the vertex is at `point`: the nearest
 /// point, unless that is on the far side of its material. The far side is told by the side on which the vertex was, if
 /// it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so that
-/// counts also a little beside the shape.
+/// counts also a little beside the shape; but what would have to cross more than the blade is no face of the slit.
 std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* side) {
   const ShapeDistance nearest = distanceTo(shape.shape, point);
-  if (nearest.distance > DEEPEST_BEGIN * surface.size[vertex]) return nearest;
+  const double aside = DEEPEST_BEGIN * surface.size[vertex], width = thickness(shape.shape);
+  if (nearest.distance > aside) return nearest;
   Vec3 n;
   if (side) {
     n = -*side;
@@ -102,10 +103,9 @@ std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::v
   const double facing = -nearest.normal.dot(n);
   if (facing > (side ? 0 : LEAST_OPPOSITION)) return nearest;
   const ShapeDistance across = distanceAgainst(shape.shape, point, n);
-  if (nearest.distance < 0) return across;
-  const bool is_beside =
-      distanceTo(shape.shape, point - across.distance * across.normal).distance < ROUNDING * thickness(shape.shape);
-  return facing < -LEAST_OPPOSITION && is_beside ? across : nearest;
+  if (nearest.distance < 0) return side || across.distance > -width - aside ? across : nearest;
+  const double off = distanceTo(shape.shape, point - across.distance * across.normal).distance;
+  return facing < -LEAST_OPPOSITION && off < ROUNDING * width ? across : nearest;
 }
 
 }  // namespace

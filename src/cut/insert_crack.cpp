@@ -22,10 +22,11 @@ bool bothSigns(const std::vector<signed char>& signs) {
          std::find(signs.begin(), signs.end(), -1) != signs.end();
 }
 
-Barycentric inElement(const FacePoint& point, int face) {
-  Barycentric b = Barycentric::Zero();
-  for (int i = 0; i < 3; ++i) b[FACE_NODES[face][i]] = point[i];
-  return b;
+std::vector<Barycentric> inElement(const FacePolygon& polygon, int face) {
+  std::vector<Barycentric> points(polygon.size(), Barycentric::Zero());
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    for (int i = 0; i < 3; ++i) points[k][FACE_NODES[face][i]] = polygon[k][i];
+  return points;
 }
 
 /// A set of nodes, listed in ascending order.
@@ -64,6 +65,7 @@ struct CutMesh::Plan {
   int crack;
   std::vector<SplitPart> splits;
   std::vector<SeveredPair> severed;
+  double severed_area = 0;
   int out_of_bounds = 0;
 };
 
@@ -74,6 +76,7 @@ Insertion CutMesh::insert(const CrackField& crack) {
   for (const Plan& plan : plans) {
     done.parts_split += static_cast<int>(plan.splits.size());
     done.faces_severed += static_cast<int>(plan.severed.size());
+    done.severed_area += plan.severed_area;
     done.out_of_bounds += plan.out_of_bounds;
     for (const SplitPart& split : plan.splits) done.parts.push_back(split.part);
     for (const SeveredPair& pair : plan.severed) done.parts.push_back(pair.part);
@@ -96,7 +99,7 @@ std::vector<CutMesh::Plan> CutMesh::plan(const CrackField& crack, int number) co
   double scale = 0;
   for (int i = 0; i < count; ++i) scale = std::max(scale, atCopies(crack.phi, parts_[partOf(i)]).cwiseAbs().maxCoeff());
 
-  std::vector<Plan> plans((count + PARTS_TOGETHER - 1) / PARTS_TOGETHER, Plan{number, {}, {}});
+  std::vector<Plan> plans((count + PARTS_TOGETHER - 1) / PARTS_TOGETHER, Plan{number, {}, {}, 0, 0});
   parallelFor(static_cast<int>(plans.size()), threads_, [&](int chunk) {
     for (int i = chunk * PARTS_TOGETHER; i < std::min(count, (chunk + 1) * PARTS_TOGETHER); ++i) {
       const Eigen::Vector4d phi = atCopies(crack.phi, parts_[partOf(i)]);
@@ -113,7 +116,7 @@ void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* pl
   if (!bothSigns(signs)) return;
   std::optional<Split> halves = split(polytope(part), phi, signs, plan->crack);
   if (!halves || coincidesWithCut(part, halves->section, phi)) return;
-  if (crack.contains && !crack.contains(part, polygonCentroid(halves->section))) {
+  if (crack.contains && !crack.contains(part, halves->section)) {
     ++plan->out_of_bounds;
     return;
   }
@@ -123,6 +126,12 @@ void CutMesh::planSplit(const CrackField& crack, double zero, int part, Plan* pl
                           {std::move(halves->negative), negative.centroid, negative.products, {}},
                           positive.fraction,
                           negative.fraction});
+}
+
+double CutMesh::faceArea(int element, int face) const {
+  std::array<Vec3, 3> X;
+  for (int i = 0; i < 3; ++i) X[i] = mesh_.nodes[mesh_.elements[element][FACE_NODES[face][i]]];
+  return (X[1] - X[0]).cross(X[2] - X[0]).norm() / 2;
 }
 
 /// Severs `part`, which lies on the positive side of a crack through one of its faces, from what lies across.
@@ -135,10 +144,11 @@ void CutMesh::planSever(const CrackField& crack, int part, Plan* plan) const {
     for (const FacePair& pair : facePairs(parts_[part].element, face)) {
       if (pair.part != part || pair.severed) continue;
       if (atCopies(crack.phi, parts_[pair.other]).minCoeff() >= 0) continue;
-      if (crack.contains && !crack.contains(part, inElement(incision::centroid(pair.polygon), face))) continue;
+      if (crack.contains && !crack.contains(part, inElement(pair.polygon, face))) continue;
       int back = 0;
       while (topology_.neighbours[parts_[pair.other].element][back] != parts_[part].element) ++back;
       plan->severed.push_back({part, face, pair.other, back});
+      plan->severed_area += faceShare(pair.polygon) * faceArea(parts_[part].element, face);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/cut/section.h"
 #include "incision/fracture/front.h"
 #include "incision/fracture/growth.h"
 #include "incision/mesh/parallel.h"
@@ -15,12 +16,6 @@ constexpr double CLEARANCE = 1e-2;
 
 double clearOf(int node, double phi, const CutMesh& mesh) {
   return std::copysign(std::max(std::abs(phi), CLEARANCE * mesh.shortestEdge(node)), phi);
-}
-
-Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x) {
-  Vec3 y = Vec3::Zero();
-  for (int I = 0; I < 4; ++I) y += point[I] * x[part.copies[I]];
-  return y;
 }
 
 bool shareCopy(const Part& a, const Part& b) {

@@ -10,6 +10,12 @@ using visualization_msgs::Marker;
 /// Of the ground as it is drawn [m]: as wide as a hall, and thin.
 constexpr double GROUND_WIDTH = 100, GROUND_HEIGHT = 0.001;
 
+/// Of the tool's edge as it is drawn [m].
+constexpr double EDGE_WIDTH = 0.001;
+
+/// Of the arrow of a force [m]: the diameters of its shaft and its head, and the head's length.
+const Vec3 ARROW_SIZE(0.003, 0.006, 0.01);
+
 std_msgs::ColorRGBA colour(float r, float g, float b) {
   std_msgs::ColorRGBA c;
   c.r = r, c.g = g, c.b = b, c.a = 1;
@@ -43,6 +49,12 @@ Vec3 extents(const Shape& shape) {
   return shape.kind == ShapeKind::BOX ? size : Vec3(GROUND_WIDTH, GROUND_WIDTH, GROUND_HEIGHT);
 }
 
+/// Draws the shape, in the marker's frame, at a pose.
+void place(const Shape& shape, const Pose& pose, Marker* marker) {
+  marker->pose = toPoseMessage(pose);
+  marker->scale = toVector3(extents(shape));
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray toMarkers(const Surface& surface, const std::vector<Vec3>& x, const std::string& frame,
@@ -63,6 +75,7 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std:
                                           const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
   for (const Obstacle& obstacle : obstacles.shapes) {
+    if (obstacles.isTool(obstacle)) continue;
     const bool is_ground = obstacle.link == GROUND_LINK;
     const auto link = static_cast<std::size_t>(obstacle.link);
     Pose pose = is_ground ? obstacle.pose : composed(links[link], obstacle.pose);
@@ -70,8 +83,33 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std:
     const int id = static_cast<int>(array.markers.size());
     array.markers.push_back(markerOf(typeOf(obstacle.shape.kind), is_ground ? "ground" : obstacles.links[link].name, id,
                                      colour(0.62F, 0.66F, 0.70F), frame, stamp));
-    array.markers.back().pose = toPoseMessage(pose);
-    array.markers.back().scale = toVector3(extents(obstacle.shape));
+    place(obstacle.shape, pose, &array.markers.back());
+  }
+  return array;
+}
+
+visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const Edge& edge, const ToolView& tool,
+                                          const std::string& frame, const ros::Time& stamp) {
+  visualization_msgs::MarkerArray array;
+  if (!tool.pose) {
+    array.markers = {markerOf(Marker::CUBE, "", 0, colour(0, 0, 0), frame, stamp)};
+    array.markers[0].action = Marker::DELETEALL;
+    return array;
+  }
+  array.markers = {markerOf(Marker::LINE_LIST, "edge", 0, colour(0.10F, 0.10F, 0.12F), frame, stamp),
+                   markerOf(Marker::ARROW, "force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp)};
+  array.markers[0].scale.x = EDGE_WIDTH;
+  for (const Vec3& end : placed(edge, *tool.pose)) array.markers[0].points.push_back(toPoint(end));
+  const Vec3 head = tool.pose->position + FORCE_SCALE * (tool.pose->orientation * tool.force);
+  array.markers[1].scale = toVector3(ARROW_SIZE);
+  array.markers[1].points = {toPoint(tool.pose->position), toPoint(head)};
+  array.markers[1].action = tool.force.isZero() ? Marker::DELETE : Marker::ADD;
+  for (const Obstacle& obstacle : obstacles.shapes) {
+    if (!obstacles.isTool(obstacle)) continue;
+    const int id = static_cast<int>(array.markers.size());
+    array.markers.push_back(
+        markerOf(typeOf(obstacle.shape.kind), "shape", id, colour(0.75F, 0.77F, 0.80F), frame, stamp));
+    place(obstacle.shape, composed(*tool.pose, obstacle.pose), &array.markers.back());
   }
   return array;
 }

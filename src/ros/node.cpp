@@ -28,12 +28,10 @@ std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   return std::make_unique<WallPacer>(time_step);
 }
 
-std::unique_ptr<ToolDriver> makeTool(ros::NodeHandle& node, const NodeSettings& settings,
-                                     const tf2::BufferCore& buffer) {
+std::optional<Edge> edgeOf(const NodeSettings& settings) {
   const auto& tool = settings.scene.tool;
-  if (!tool) return nullptr;
-  const Edge edge = bladeEdge(*tool, settings.descriptions.tool, tool->description);
-  return std::make_unique<ToolDriver>(node, settings.scene, edge, buffer);
+  if (!tool) return std::nullopt;
+  return bladeEdge(*tool, settings.descriptions.tool, tool->description);
 }
 
 SteadyTime now() { return std::chrono::steady_clock::now(); }
@@ -43,18 +41,19 @@ SteadyTime now() { return std::chrono::steady_clock::now(); }
 IncisionNode::IncisionNode()
     : settings_(loadSettings(node_)),
       body_(settings_.scene, loadMesh(settings_.scene), settings_.descriptions),
+      edge_(edgeOf(settings_)),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
       reporter_(node_, settings_.scene.body.frame, settings_.scene.fracture.has_value()),
-      markers_(node_, settings_.scene.body.frame, settings_.marker_rate, body_.obstacles()),
+      markers_(node_, settings_.scene.body.frame, settings_.marker_rate, body_.obstacles(), edge_),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, agenda_, reporter_, wakeup_),
       tracker_(input_.transforms(), settings_.scene.body.frame, body_.obstacles(), settings_.scene.solver.time_step),
-      tool_(makeTool(node_, settings_, input_.transforms())),
       spinner_(1) {
+  if (edge_) tool_ = std::make_unique<ToolDriver>(node_, settings_.scene, *edge_, input_.transforms());
   const BodyCounts counts = body_.counts();
   reporter_.setPieces(counts.pieces);
   // Also because roscpp registers the node once more at its first message: were that the one that a node of the same
@@ -79,7 +78,7 @@ void IncisionNode::run() {
     changed |= applyCuts(due);
     if (due) step();
     if (changed || due || now() >= next_heartbeat_) publishState();
-    markers_.offer(body_, tracker_.poses(), now());
+    markers_.offer(body_, tracker_.poses(), last_step_.tool.force, now());
     if (!due) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
 }

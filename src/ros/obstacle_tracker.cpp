@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+
 namespace incision {
 namespace {
 
@@ -22,7 +23,7 @@ double travel(const Pose& from, const Pose& to, double reach) {
 
 ObstacleTracker::ObstacleTracker(const tf2::BufferCore& buffer, std::string body_frame, const Obstacles& obstacles,
                                  double time_step)
-    : lookup_(buffer, std::move(body_frame), "the obstacles"), time_step_(time_step) {
+    : lookup_(buffer, std::move(body_frame), "the obstacles"), tool_link_(obstacles.tool_link), time_step_(time_step) {
   for (const ObstacleLink& link : obstacles.links) {
     links_.emplace_back();
     links_.back().name = link.name;
@@ -49,6 +50,7 @@ void ObstacleTracker::restart() {
 std::vector<LinkMove> ObstacleTracker::follow(Nanoseconds end) {
   std::vector<LinkMove> moves;
   for (std::size_t i = 0; i < links_.size(); ++i) {
+    if (static_cast<int>(i) == tool_link_) continue;
     Link& link = links_[i];
     const std::optional<LinkLookup::Found> target = lookup_.find(link.name, end);
     const bool jumps = target && aim(*target, poses_[i], &link);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "incision/ros/tool_path.h"
+#include "incision/ros/pose_path.h"
 
 namespace incision {
 namespace {

@@ -1,7 +1,5 @@
 #include "incision/tool/stroke.h"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +7,7 @@ namespace incision {
 namespace {
 
 /// Triangles of the sweep kept for one element; the oldest go first. A blade that crosses an element in more sweeps
-/// than this moves by less than the element's snap.
+/// than this has been told of all but what it left long ago.
 constexpr std::size_t MAX_TRIANGLES = 1024;
 
 /// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
@@ -17,41 +15,21 @@ constexpr std::size_t MAX_TRIANGLES = 1024;
 /// itself just misses.
 constexpr double MARGIN = 0.5;
 
-/// How far the edge must move through the tissue, as a share of its length, for a sweep to have a direction; an edge
-/// that moves along itself moves by rounding.
+/// How far the edge must move through the tissue, in edges of the mesh, to be followed: tissue that trembles round a
+/// blade at rest is not cut, and a slow blade cuts in as many pieces as matter.
+constexpr double MIN_MOTION = 0.01;
+
+/// How far the edge must move across itself, as a share of its length, for a sweep to have a direction; an edge that
+/// moves along itself moves by rounding.
 constexpr double MIN_SWEEP = 1e-9;
 
-/// Rim of a triangle, as a share of it, that counts as inside: consecutive sweeps share an edge, and a point on it must
-/// not fall between.
-constexpr double RIM = 1e-9;
+/// The way, in edges of the mesh, over which a crack takes its direction. Over less, tissue that moves while a slow
+/// blade goes on would turn it; over more, it would not follow a curve.
+constexpr double SMOOTHING = 0.5;
 
-/// Map between the body and an element's coordinates as one part sees them.
-class PartFrame {
- public:
-  PartFrame(const Part& part, const std::vector<Vec3>& x) : origin_(x[part.copies[0]]) {
-    for (int k = 0; k < 3; ++k) edges_.col(k) = x[part.copies[k + 1]] - origin_;
-    edges_.computeInverseWithCheck(inverse_, invertible_, 0.0);
-  }
-  bool invertible() const { return invertible_; }
-  Barycentric toElement(const Vec3& point) const {
-    Barycentric b;
-    b.tail<3>() = inverse_ * (point - origin_);
-    b[0] = 1 - b.tail<3>().sum();
-    return b;
-  }
-  Vec3 toBody(const Barycentric& b) const { return origin_ + edges_ * b.tail<3>(); }
-
- private:
-  Vec3 origin_;
-  Mat3 edges_, inverse_;
-  bool invertible_ = false;
-};
-
-Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x) {
-  Eigen::AlignedBox3d box(x[part.copies[0]]);
-  for (int I = 1; I < 4; ++I) box.extend(x[part.copies[I]]);
-  return box;
-}
+/// A sweep is another crack's where it would give a node of this one a distance that is off by this much, in edges of
+/// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
+constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
 
 /// Whether all points lie beyond one face of the element, by more than `margin`.
 bool outside(const std::array<Barycentric, 4>& points, double margin) {
@@ -66,52 +44,68 @@ Vec3 nearest(const Edge& edge, const Vec3& point) {
   return edge[0] + (point - edge[0]).dot(along) / along.squaredNorm() * along;
 }
 
-/// Whether a line through `point` along `direction` meets a triangle, all in an element's affine coordinates. Triangles
-/// that share an edge leave no gap between them, at whatever distance and angle they pass the point.
-bool isBehind(const std::array<Barycentric, 3>& triangle, const Barycentric& point, const Vec3& direction) {
-  std::array<double, 3> side;  // twice the areas that the point's image cuts the triangle's into
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 a = (triangle[i] - point).tail<3>(), b = (triangle[(i + 1) % 3] - point).tail<3>();
-    side[i] = a.cross(b).dot(direction);
-  }
-  const double area = side[0] + side[1] + side[2], rim = RIM * std::abs(area), sense = area < 0 ? -1 : 1;
-  return area != 0 && std::all_of(side.begin(), side.end(), [&](double s) { return sense * s >= -rim; });
+/// A severed face, not a section through the part.
+bool liesInFace(const std::vector<Barycentric>& polygon) {
+  for (int I = 0; I < 4; ++I)
+    if (std::all_of(polygon.begin(), polygon.end(), [&](const Barycentric& b) { return b[I] == 0; })) return true;
+  return false;
+}
+
+double shortestEdge(const Part& part, const CutMesh& mesh) {
+  double shortest = mesh.shortestEdge(mesh.copyNode(part.copies[0]));
+  for (int I = 1; I < 4; ++I) shortest = std::min(shortest, mesh.shortestEdge(mesh.copyNode(part.copies[I])));
+  return shortest;
 }
 
 }  // namespace
 
-Insertion Stroke::sweep(const Edge& from, const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh) {
-  start(x);
+void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
+  if (!last_x_.empty()) return;
+  from_ = edge;
+  last_x_ = x;
+}
+
+Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh, Ties* ties) {
   for (int c = static_cast<int>(last_x_.size()); c < mesh->numCopies(); ++c)
     last_x_.push_back(last_x_[mesh->copyParent(c)]);
-  record(from, to, x, *mesh);
+  if (!record(to, x, *mesh)) return {};
+  from_ = to;
   last_x_ = x;
-  if (met_.empty()) return {};
+  if (passed_.empty()) return {};
+  keepTriangles(*mesh);
+  ties->sweep(just_swept_);
+  findHeadings(*mesh);
+  if (crossesItself(to, x, *mesh)) {
+    crack_ = -1;
+    distances_.clear();
+    swept_.clear();
+    keepTriangles(*mesh);
+  }
   measure(to, x, *mesh);
   CrackField crack = field(*mesh);
-  crack.contains = [&](int part, const Barycentric& point) { return covers(mesh->parts()[part], point, crack.phi); };
+  crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
+    return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive());
+  };
   const int before = mesh->numCopies();
   const Insertion done = mesh->insert(crack);
   if (!done.changed()) return done;
+  cracks_ += crack_ < 0;
   crack_ = done.crack;
-  for (int part : done.parts)
-    for (int c : mesh->parts()[part].copies) distances_.at(c < before ? c : mesh->copyParent(c)).settled = true;
-  for (int c = before; c < mesh->numCopies(); ++c)
-    if (const auto parent = distances_.find(mesh->copyParent(c)); parent != distances_.end())
-      distances_.emplace(c, Distance(parent->second));
+  settle(done, before, *mesh);
+  ties->add(done, *mesh, swept_);
   return done;
 }
 
-/// Remembers the swept surface in every element it passes. It starts where the last sweep left the element's material,
-/// so the surface has no gaps however the tissue moves under the blade.
-void Stroke::record(const Edge& from, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
-  met_.clear();
-  met_normal_.clear();
+/// Finds the parts that the sweep passes. It starts where the last sweep left the element's material, so the surface
+/// has no gaps however the tissue moves under the blade. Returns false where the edge has hardly moved in any.
+bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
+  passed_.clear();
   const Vec3 direction = (to[1] - to[0]).normalized();
   const double least = MIN_SWEEP * (to[1] - to[0]).norm();
   Eigen::AlignedBox3d reach;
-  for (const Edge* edge : {&from, &to})
-    for (const Vec3& end : *edge) reach.extend(end);
+  for (const Edge& edge : {from_, to})
+    for (const Vec3& end : edge) reach.extend(end);
+  bool near = false, moved = false;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const Part& part = mesh.parts()[p];
     const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, last_x_));
@@ -119,45 +113,108 @@ void Stroke::record(const Edge& from, const Edge& to, const std::vector<Vec3>& x
     if (!reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room))) continue;
     const PartFrame was(part, last_x_), is(part, x);
     if (!was.invertible() || !is.invertible()) continue;
-    const std::array<Barycentric, 4> corners = {was.toElement(from[0]), was.toElement(from[1]), is.toElement(to[1]),
-                                                is.toElement(to[0])};
-    if (outside(corners, MARGIN)) continue;
+    Passed passed;
+    passed.part = static_cast<int>(p);
+    passed.corners = {was.toElement(from_[0]), was.toElement(from_[1]), is.toElement(to[1]), is.toElement(to[0])};
+    if (outside(passed.corners, MARGIN)) continue;
+    const Edge carried = {is.toBody(passed.corners[0]), is.toBody(passed.corners[1])};
+    near = true;
+    moved = moved ||
+            std::max((to[0] - carried[0]).norm(), (to[1] - carried[1]).norm()) > MIN_MOTION * shortestEdge(part, mesh);
     const Vec3 centre = is.toBody(Barycentric::Constant(0.25));
-    const Edge carried = {is.toBody(corners[0]), is.toBody(corners[1])};
-    const Vec3 normal = direction.cross(nearest(to, centre) - nearest(carried, centre));
-    if (!(normal.norm() > least)) continue;
-    begun_ = begun_ || !outside(corners, 0);
-    met_.push_back(static_cast<int>(p));
-    met_normal_.push_back(normal);
-    std::deque<Triangle>& triangles = swept_[part.element];
-    triangles.push_back({corners[0], corners[1], corners[2]});
-    triangles.push_back({corners[0], corners[2], corners[3]});
-    while (triangles.size() > MAX_TRIANGLES) triangles.pop_front();
+    passed.normal = direction.cross(nearest(to, centre) - nearest(carried, centre));
+    if (!(passed.normal.norm() > least)) continue;
+    passed.within = !outside(passed.corners, 0);
+    passed_.push_back(passed);
+  }
+  if (near && !moved) return false;
+  begun_ = begun_ || std::any_of(passed_.begin(), passed_.end(), [](const Passed& passed) { return passed.within; });
+  return true;
+}
+
+void Stroke::keepTriangles(const CutMesh& mesh) {
+  just_swept_.clear();
+  for (const Passed& passed : passed_) {
+    const int element = mesh.parts()[passed.part].element;
+    const std::array<Barycentric, 4>& c = passed.corners;
+    std::deque<SweptTriangle>& kept = swept_[element];
+    for (const SweptTriangle& triangle : {SweptTriangle{c[0], c[1], c[2]}, SweptTriangle{c[0], c[2], c[3]}}) {
+      just_swept_[element].push_back(triangle);
+      kept.push_back(triangle);
+    }
+    while (kept.size() > MAX_TRIANGLES) kept.pop_front();
+  }
+}
+
+/// The crack's normal at the copies passed, from the sweeps round them over the last half edge. Normals add up as
+/// vectors: of an edge that trembles, what goes back and forth cancels.
+void Stroke::findHeadings(const CutMesh& mesh) {
+  std::unordered_map<int, std::pair<Vec3, int>> sums;
+  for (const Passed& passed : passed_)
+    for (int c : mesh.parts()[passed.part].copies) {
+      auto& [sum, count] = sums.try_emplace(c, Vec3::Zero(), 0).first->second;
+      sum += passed.normal;
+      ++count;
+    }
+  for (const auto& [c, sum] : sums) {
+    Vec3& way = ways_.try_emplace(c, Vec3::Zero()).first->second;
+    const Vec3 mean = sum.first / sum.second;
+    way = std::exp(-mean.norm() / (SMOOTHING * mesh.shortestEdge(mesh.copyNode(c)))) * way + mean;
+  }
+  headings_.clear();
+  for (const Passed& passed : passed_) {
+    const auto& copies = mesh.parts()[passed.part].copies;
+    Vec3 sum = Vec3::Zero();
+    for (int c : copies) sum += ways_.at(c);
+    for (int c : copies) headings_.try_emplace(c, Vec3::Zero()).first->second += sum;
   }
   turnAlike();
 }
 
-/// Turns the normals to the side of the last sweep's: a blade that goes back must not swap the crack's sides.
+/// Turns the headings to the side of the sweep so far: a blade that goes back must not swap the crack's sides.
 void Stroke::turnAlike() {
   Vec3 sum = Vec3::Zero();
-  for (Vec3& normal : met_normal_) {
-    if (normal.dot(sum.isZero(0) ? normal_ : sum) < 0) normal = -normal;
-    sum += normal;
+  for (const Passed& passed : passed_) sum += passed.normal;
+  if (normal_.isZero(0)) normal_ = sum.stableNormalized();
+  sum.setZero();
+  for (auto& [c, heading] : headings_) {
+    heading.stableNormalize();
+    if (heading.dot(normal_) < 0) heading = -heading;
+    sum += heading;
   }
-  if (!sum.isZero(0)) normal_ = sum.normalized();
+  if (sum.norm() > 0) normal_ = sum.normalized();
 }
 
-/// Measures the copies of the parts the sweep passes, but for the settled ones, from a plane through the edge as it
-/// stands now, with the mean normal of the parts round the copy.
+/// From a plane through the edge as it stands now [m].
+double Stroke::distanceNow(int copy, const Edge& to, const std::vector<Vec3>& x) const {
+  return headings_.at(copy).dot(x[copy] - to[0]);
+}
+
+/// Whether the sweep goes on, into a part that the crack has not split, in another direction than the crack's there.
+bool Stroke::crossesItself(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const {
+  if (crack_ < 0) return false;
+  return std::any_of(passed_.begin(), passed_.end(), [&](const Passed& passed) {
+    if (!passed.within || facetOf(mesh.polytope(passed.part), crack_)) return false;
+    const Part& part = mesh.parts()[passed.part];
+    const double far = CROSSING * shortestEdge(part, mesh);
+    return std::any_of(part.copies.begin(), part.copies.end(), [&](int c) {
+      const auto known = distances_.find(c);
+      return known != distances_.end() && known->second.settled &&
+             known->second.normal.dot(headings_.at(c)) < SAME_WAY &&
+             std::abs(known->second.phi - distanceNow(c, to, x)) > far;
+    });
+  });
+}
+
+/// Measures the copies of the parts the sweep passes, but for the settled ones.
 void Stroke::measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
-  std::unordered_map<int, Vec3> normals;
-  for (std::size_t i = 0; i < met_.size(); ++i)
-    for (int c : mesh.parts()[met_[i]].copies) normals.try_emplace(c, Vec3::Zero()).first->second += met_normal_[i];
-  for (const auto& [c, normal] : normals) {
+  for (const auto& [c, heading] : headings_) {
+    if (heading.isZero(0)) continue;
     Distance& distance = distances_[c];
     if (distance.settled) continue;
-    const double phi = normal.normalized().dot(x[c] - to[0]);
+    const double phi = distanceNow(c, to, x);
     distance.phi = std::abs(phi) < SNAP * mesh.shortestEdge(mesh.copyNode(c)) ? 0 : phi;
+    distance.normal = heading;
   }
 }
 
@@ -178,33 +235,34 @@ CrackField Stroke::field(const CutMesh& mesh) const {
   return crack;
 }
 
-/// Whether the sweep so far passed the point of a part, seen along the gradient of φ.
-bool Stroke::covers(const Part& part, const Barycentric& point, const std::vector<double>& phi) const {
+/// Whether the sweep so far passed enough of a section, or the centroid of a face, seen along the gradient of φ.
+bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi,
+                    bool progressive) const {
   const auto found = swept_.find(part.element);
   if (found == swept_.end()) return false;
-  Vec3 across;
-  for (int k = 0; k < 3; ++k) across[k] = phi[part.copies[k + 1]] - phi[part.copies[0]];
-  const std::deque<Triangle>& triangles = found->second;
-  return std::any_of(triangles.begin(), triangles.end(),
-                     [&](const Triangle& triangle) { return isBehind(triangle, point, across); });
+  const std::deque<SweptTriangle>& triangles = found->second;
+  const Vec3 across =
+      gradient(Eigen::Vector4d(phi[part.copies[0]], phi[part.copies[1]], phi[part.copies[2]], phi[part.copies[3]]));
+  const auto covered = [&](const Barycentric& point) {
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [&](const SweptTriangle& triangle) { return isBehind(triangle, point, across); });
+  };
+  if (!progressive || liesInFace(polygon)) return covered(polygonCentroid(polygon));
+  const std::vector<Barycentric> points = spread(polygon);
+  return static_cast<double>(std::count_if(points.begin(), points.end(), covered)) >=
+         FIRST_SHARE * static_cast<double>(points.size());
 }
 
-bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh) {
-  Eigen::AlignedBox3d reach(edge[0]);
-  reach.extend(edge[1]);
-  return std::any_of(mesh.parts().begin(), mesh.parts().end(), [&](const Part& part) {
-    if (!reach.intersects(boxOf(part, x))) return false;
-    const PartFrame frame(part, x);
-    if (!frame.invertible()) return false;
-    const Barycentric a = frame.toElement(edge[0]), b = frame.toElement(edge[1]);
-    double first = 0, last = 1;  // of the edge, what lies in the element
-    for (int I = 0; I < 4; ++I) {
-      if (a[I] < 0 && b[I] < 0) return false;
-      if (a[I] < 0) first = std::max(first, a[I] / (a[I] - b[I]));
-      if (b[I] < 0) last = std::min(last, a[I] / (a[I] - b[I]));
-    }
-    return first <= last;
-  });
+/// The copies of the parts that were split keep their distances, and pass them on to the new ones.
+void Stroke::settle(const Insertion& done, int before, const CutMesh& mesh) {
+  for (int part : done.parts)
+    for (int c : mesh.parts()[part].copies) distances_.at(c < before ? c : mesh.copyParent(c)).settled = true;
+  for (int c = before; c < mesh.numCopies(); ++c) {
+    if (const auto parent = distances_.find(mesh.copyParent(c)); parent != distances_.end())
+      distances_.emplace(c, Distance(parent->second));
+    if (const auto parent = ways_.find(mesh.copyParent(c)); parent != ways_.end())
+      ways_.emplace(c, Vec3(parent->second));
+  }
 }
 
 }  // namespace incision

@@ -194,6 +194,17 @@ TEST(ToolBody, OpensASlitToItsThicknessEachFaceToItsOwnSide) {
   }
 }
 
+// A blade through the skin of a block that has not been cut there; a row of nodes lies in it.
+TEST(ToolBody, PushesSkinThatItPassesAsideAndNotAheadOfIt) {
+  constexpr double HALF = BladeInSlit::THICKNESS / 2;
+  ToolRig rig(cube(), damped(), touchingNothing(), toolUrdf("<box size='0.4 0.002 0.1'/>"), 0);
+  rig.place(at(Vec3(0.1, 0.1 + 0.3 * HALF, SIDE + 0.01)));
+  int count = 0;
+  for (int k = 0; k < 200; ++k) count = rig.moveTo(rig.links.to[rig.tool]).count;
+  EXPECT_EQ(count, CELLS[0] + 1);
+  EXPECT_LT(largest(rig.displacements()), 2 * HALF);
+}
+
 // Then only the end of the slit is left free.
 TEST(ToolBody, LeavesNothingBehindInASlit) {
   BladeInSlit rig(0);

@@ -160,9 +160,13 @@ TEST(StrokeInMovingTissue, SeparatesLikeAtRest) {
   for (int k = 0; k <= 80; ++k)
     scene.tool->poses.push_back({0.01 * k, {Vec3(0.085, -0.02 + 0.002 * k, 0), Eigen::Quaterniond::Identity()}});
   DeformableBody body(scene, loadMesh(scene));
-  for (int k = 0; k <= 80; ++k) body.step();
+  std::vector<CutResult> strokes;  // after the first, what it has cut off may swing back into the blade
+  for (int k = 0; k <= 80; ++k)
+    for (const CutResult& cut : body.step().cuts) strokes.push_back(cut);
+  ASSERT_FALSE(strokes.empty());
+  EXPECT_EQ(strokes[0].pieces, 2);
+  EXPECT_EQ(strokes[0].cracks, 1);
   EXPECT_EQ(body.counts().pieces, 2);
-  EXPECT_EQ(body.counts().cracks, 1);
 }
 
 TEST_F(StrokeTest, AcrossAnotherMakesFourPieces) {
@@ -274,8 +278,10 @@ TEST_F(StrokeTest, InAStretchedBodyCutsWhereTheMaterialIs) {
   ASSERT_EQ(moving.step().cuts.size(), 1u);
   const std::vector<double> volumes = moving.pieceVolumes();
   ASSERT_EQ(volumes.size(), 2u);
-  EXPECT_NEAR(volumes[0], 0.48 * 0.25, 1e-6);
-  EXPECT_NEAR(volumes[1], 0.52 * 0.25, 1e-6);
+  // Distances of one element's nodes are measured while the body grows by up to 1.4 %: of an element, 0.1 % of the
+  // body.
+  EXPECT_NEAR(volumes[0], 0.48 * 0.25, 2e-5);
+  EXPECT_NEAR(volumes[1], 0.52 * 0.25, 2e-5);
 }
 
 TEST_F(StrokeTest, TheScenesPosesAreFollowed) {

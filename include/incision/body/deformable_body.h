@@ -22,7 +22,7 @@ struct CutResult {
   std::string label;
   CutStatus status = CutStatus::MISSED;
   std::string reason;  ///< why it was missed or rejected
-  int cracks = 0;      ///< cracks it made: 0 or 1
+  int cracks = 0;      ///< cracks it made: 0 or 1, more only by a stroke that crosses itself or turns a corner
   int parts_split = 0, copies_added = 0;
   int pieces = 0;       ///< of the body now
   double duration = 0;  ///< of the computation [s]

@@ -29,9 +29,9 @@ struct CrackField {
   int crack = -1;           ///< the number of the crack that grows; −1: a new one
   std::vector<double> phi;  ///< φ [m] at every copy
   std::vector<int> parts;   ///< the parts it may split or sever; empty: all
-  /// Whether the crack reaches a point of a part. Asked for the centroid of a section or face, from
-  /// several threads at once; empty: unbounded.
-  std::function<bool(int part, const Barycentric& point)> contains;
+  /// Whether the crack reaches a section of a part, or a face that lies in it, given as a polygon. Asked from several
+  /// threads at once; empty: unbounded.
+  std::function<bool(int part, const std::vector<Barycentric>& polygon)> contains;
 };
 
 class CutMesh;

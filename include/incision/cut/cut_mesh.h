@@ -62,6 +62,7 @@ struct FacePair {
 struct Insertion {
   int crack = -1;  ///< the crack's number, where it changed anything
   int parts_split = 0, faces_severed = 0, copies_added = 0;
+  double severed_area = 0;  ///< of the faces, at rest [m²]
   /// Parts that the crack met without splitting them because its section's centroid lies outside the bounds.
   int out_of_bounds = 0;
   std::vector<int> parts;    ///< those on its positive side that were split or severed
@@ -118,6 +119,7 @@ class CutMesh {
   std::vector<Plan> plan(const CrackField& crack, int number) const;
   void planSplit(const CrackField& crack, double zero, int part, Plan* plan) const;
   void planSever(const CrackField& crack, int part, Plan* plan) const;
+  double faceArea(int element, int face) const;
   void checkLimits(const std::vector<Plan>& plans, const Insertion& done) const;
   bool severed(int part, int face, int other, int other_face) const;
   bool coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "incision/cut/cut_mesh.h"
+#include "incision/cut/section.h"
 #include "incision/fracture/settings.h"
 #include "incision/solver/coupling.h"
 
@@ -32,18 +32,15 @@ class Cohesion {
   /// The step has been taken and left the copies at `x` [m].
   void accept(const std::vector<Vec3>& x);
 
-  bool empty() const { return sections_.empty(); }
+  bool empty() const { return held_.empty(); }
 
   /// Energy that opening cracks has taken for good [J].
   double dissipated() const;
 
  private:
   /// The section of one part, held at its centroid.
-  struct Section {
-    int crack;
-    Barycentric centroid;
-    Vec3 across;        // its normal at rest, towards the positive side
-    int plus, minus;    // the parts on either side
+  struct Held {
+    Section section;
     double area;        // [m²]
     double steepest;    // κ [Pa/m], the slope up to σ_t
     double opened = 0;  // the largest δ in a step that was taken [m]
@@ -55,13 +52,13 @@ class Cohesion {
     double used = 0;             // the slope that the last couplings have [Pa/m]
   };
 
-  double slope(const Section& section, double opening) const;
-  Vec3 openingAt(const Section& section, const std::vector<Vec3>& values) const;
-  double energyOf(const Section& section) const;
+  double slope(const Held& held, double opening) const;
+  Vec3 openingAt(const Held& held, const std::vector<Vec3>& values) const;
+  double energyOf(const Held& held) const;
 
   double strength_, energy_, young_modulus_;
-  std::vector<Section> sections_;  // that still hold, in the order in which they opened
-  double spent_ = 0;               // in those that hold no more [J]
+  std::vector<Held> held_;  // that still hold, in the order in which they opened
+  double spent_ = 0;        // in those that hold no more [J]
 };
 
 }  // namespace incision

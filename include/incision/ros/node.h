@@ -50,6 +50,7 @@ class IncisionNode {
   ros::NodeHandle node_{"~"};
   NodeSettings settings_;
   DeformableBody body_;
+  const std::optional<Edge> edge_;  ///< of the tool, where the scene has one
   std::unique_ptr<Pacer> pacer_;
 
   Wakeup wakeup_;

@@ -20,8 +20,8 @@ struct LinkMove {
   bool at_once;  ///< it is put there, and sweeps nothing on its way
 };
 
-/// Follows the obstacles' links in tf, by their names. A link that tf does not know stays where it is. Used by the
-/// stepping thread, which it never makes wait.
+/// Follows the obstacles' links in tf, by their names. A link that tf does not know stays where it is, and the tool's
+/// is left alone. Used by the stepping thread, which it never makes wait.
 class ObstacleTracker {
  public:
   /// `time_step` [s].
@@ -53,6 +53,7 @@ class ObstacleTracker {
   bool aim(const LinkLookup::Found& target, const Pose& pose, Link* link) const;
 
   LinkLookup lookup_;
+  const int tool_link_;
   const double time_step_;
   std::vector<Link> links_;
   std::vector<Pose> poses_;

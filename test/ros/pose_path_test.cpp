@@ -1,4 +1,4 @@
-#include "incision/ros/tool_path.h"
+#include "incision/ros/pose_path.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@ Pose at(double x, double y = 0, double turn = 0) {
   return {Vec3(x, y, 0), Eigen::Quaterniond(Eigen::AngleAxisd(turn, Vec3::UnitX()))};
 }
 
-TEST(ToolPath, TravelIsThatOfTheOriginOrAnEndWhicheverIsFarther) {
+TEST(PosePath, TravelIsThatOfTheOriginOrAnEndWhicheverIsFarther) {
   EXPECT_NEAR(0.3, travel(at(0), at(0.3), EDGE), ROUNDING);
   EXPECT_NEAR(2 * 0.05 * std::sin(0.5), travel(at(0), at(0, 0, 1), EDGE), ROUNDING);
 }
 
-TEST(ToolPath, AStraightEvenPathIsItsLastPose) {
+TEST(PosePath, AStraightEvenPathIsItsLastPose) {
   std::vector<Pose> path;
   for (int i = 1; i <= 100; ++i) path.push_back(at(1e-4 * i, 2e-4 * i, 1e-4 * i));
   const std::vector<Pose> kept = simplified(at(0), path, EDGE);
@@ -27,7 +27,7 @@ TEST(ToolPath, AStraightEvenPathIsItsLastPose) {
   EXPECT_EQ(path.back().position, kept[0].position);
 }
 
-TEST(ToolPath, ACornerStays) {
+TEST(PosePath, ACornerStays) {
   std::vector<Pose> path;
   for (int i = 1; i <= 50; ++i) path.push_back(at(1e-3 * i));
   for (int i = 1; i <= 50; ++i) path.push_back(at(0.05, 1e-3 * i));
@@ -36,7 +36,7 @@ TEST(ToolPath, ACornerStays) {
   EXPECT_NEAR(0.05, kept[0].position.x(), 10 * PATH_TOLERANCE);  // the way turns within the tolerance
 }
 
-TEST(ToolPath, AStandstillWithinAPathStays) {
+TEST(PosePath, AStandstillWithinAPathStays) {
   std::vector<Pose> path;
   for (int i = 1; i <= 10; ++i) path.push_back(at(1e-3 * i));
   for (int i = 1; i <= 10; ++i) path.push_back(at(1e-2));
@@ -44,7 +44,7 @@ TEST(ToolPath, AStandstillWithinAPathStays) {
 }
 
 /// Whatever the path, the tool passes every pose within the tolerance of every coordinate.
-TEST(ToolPath, EveryPoseLeftOutIsPassedAllTheSame) {
+TEST(PosePath, EveryPoseLeftOutIsPassedAllTheSame) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise;
   for (int path_number = 0; path_number < 100; ++path_number) {
@@ -72,7 +72,7 @@ TEST(ToolPath, EveryPoseLeftOutIsPassedAllTheSame) {
   }
 }
 
-TEST(ToolPath, TheFrontAndTheRestAreTheWholeWay) {
+TEST(PosePath, TheFrontAndTheRestAreTheWholeWay) {
   std::vector<Pose> way = {at(1), at(1, 3)};
   const std::vector<Pose> front = takeFront(0.5, at(0), EDGE, &way);
   ASSERT_EQ(2u, front.size());
@@ -83,7 +83,7 @@ TEST(ToolPath, TheFrontAndTheRestAreTheWholeWay) {
   EXPECT_TRUE(way.empty());
 }
 
-TEST(ToolPath, AWayOfNoLengthIsGoneAtOnce) {
+TEST(PosePath, AWayOfNoLengthIsGoneAtOnce) {
   std::vector<Pose> way = {at(0), at(0)};
   EXPECT_EQ(2u, takeFront(0.1, at(0), EDGE, &way).size());
   EXPECT_TRUE(way.empty());

@@ -1,4 +1,4 @@
-#include "incision/ros/tool_path.h"
+#include "incision/ros/pose_path.h"
 
 #include <limits>
 #include <utility>

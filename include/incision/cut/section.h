@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+
+namespace incision {
+
+/// A point of an element at rest [m].
+Vec3 atRest(const CutMesh& mesh, int element, const Barycentric& point);
+
+/// A point of a part while the copies stand at `x` [m].
+Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x);
+
+/// Where a crack has split a part: the flat polygon between what became of it.
+struct Section {
+  int crack, element;
+  Barycentric point;  ///< of the polygon
+  Vec3 across;        ///< its normal at rest, unit, towards the positive side
+  int plus, minus;    ///< the parts on either side that have the point
+};
+
+/// The facet that a crack has cut, or null when the part has none.
+const Facet* facetOf(const Polytope& polytope, int crack);
+
+/// Corners of a facet.
+std::vector<Barycentric> cornersOf(const Polytope& polytope, const Facet& facet);
+
+/// Vector area of a facet, outwards, with its corners mapped to points by `place`.
+template <typename Place>
+Vec3 vectorArea(const Polytope& polytope, const Facet& facet, const Place& place) {
+  Vec3 area = Vec3::Zero();
+  const auto corner = [&](std::size_t i) { return place(polytope.corners[facet.corners[i]]); };
+  const Vec3 base = corner(0);
+  for (std::size_t i = 2; i < facet.corners.size(); ++i) area += (corner(i - 1) - base).cross(corner(i) - base) / 2;
+  return area;
+}
+
+/// The section that a crack's facet of a part is, when it has just been split with this part on the positive side. The
+/// point is the centroid.
+Section sectionOf(const CutMesh& mesh, int part, const Facet& facet);
+
+/// Finds the parts on either side again, as later cracks may have split them. Returns false where rounding has left
+/// none.
+bool findSides(const CutMesh& mesh, Section* section);
+
+}  // namespace incision

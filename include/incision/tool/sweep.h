@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+#include "incision/tool/blade.h"
+
+namespace incision {
+
+/// A triangle that an edge has swept, in an element's coordinates.
+using SweptTriangle = std::array<Barycentric, 3>;
+
+/// Map between the body and an element's coordinates as one part sees them.
+class PartFrame {
+ public:
+  PartFrame(const Part& part, const std::vector<Vec3>& x);
+  bool invertible() const { return invertible_; }
+  Barycentric toElement(const Vec3& point) const;
+  Vec3 toBody(const Barycentric& b) const { return origin_ + edges_ * b.tail<3>(); }
+
+ private:
+  Vec3 origin_;
+  Mat3 edges_, inverse_;
+  bool invertible_ = false;
+};
+
+/// Box round a part's copies, the whole element.
+Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x);
+
+/// Whether a line through `point` along `direction` meets a triangle, all in an element's affine coordinates. Triangles
+/// that share an edge leave no gap between them, at whatever distance and angle they pass the point.
+bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec3& direction);
+
+/// Gradient of a linear function given at the four nodes, in affine coordinates.
+Vec3 gradient(const Eigen::Vector4d& phi);
+
+/// Points spread evenly over a flat polygon, none in line with others: an edge that sweeps it passes them one by one.
+std::vector<Barycentric> spread(const std::vector<Barycentric>& polygon);
+
+/// Whether an edge passes through an element the body now has, its parts taken whole.
+bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh);
+
+}  // namespace incision
