@@ -58,7 +58,7 @@ class ToolStroke(unittest.TestCase):
         for point in faces:
             self.assertAlmostEqual(X, point.x, delta=EXACT)
         self.assertAlmostEqual(STOP, state.tool_depth, delta=ELEMENT / 4)
-        self.assertAlmostEqual(STOP * HEIGHT, state.stroke_area, delta=ELEMENT * HEIGHT / 2)
+        self.assertAlmostEqual(STOP * HEIGHT, state.stroke_area, delta=ELEMENT * HEIGHT / 8)
 
     def test_a_stroke_that_stops_and_goes_on_is_one(self):
         self.draw(-0.05, STOP)
