@@ -78,12 +78,14 @@ void DeformableBody::schedule(const ScheduledCut& cut) {
 void DeformableBody::guideTool(const std::vector<Pose>& path) { state_->guideTool(path); }
 
 std::optional<CutResult> DeformableBody::placeTool(const Pose& pose) {
-  state_->tool = {pose, {}, state_->tool.active};
+  state_->tool.pose = pose;
+  state_->tool.path.clear();
   return state_->endStroke();
 }
 
 std::optional<CutResult> DeformableBody::liftTool() {
-  state_->tool = {std::nullopt, {}, state_->tool.active};
+  state_->tool.pose.reset();
+  state_->tool.path.clear();
   return state_->endStroke();
 }
 

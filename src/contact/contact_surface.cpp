@@ -1,8 +1,10 @@
 #include "incision/contact/contact_surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace incision {
 namespace {
@@ -12,6 +14,44 @@ constexpr double MIN_COSINE = 0.7;
 
 Vec3 areaVector(const std::vector<Vec3>& x, const std::array<int, 3>& triangle) {
   return 0.5 * (x[triangle[1]] - x[triangle[0]]).cross(x[triangle[2]] - x[triangle[0]]);
+}
+
+/// Points that are closer at rest than this, in elements, are at one place.
+constexpr double SAME_PLACE = 1e-6;
+
+/// The weight of the copies that both vertices hold.
+double sharedWeight(const SurfaceVertex& a, const SurfaceVertex& b) {
+  double shared = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 4; ++k)
+      if (a.copies[i] == b.copies[k]) shared += std::min(a.weights[i], b.weights[k]);
+  return shared;
+}
+
+/// Vertices at one place lie on the two sides of a cut, and so in the order of their first coordinate near each other.
+std::vector<double> ownWeights(const ContactSurface& surface) {
+  std::vector<int> order;
+  std::vector<char> is_cut(surface.rest.size(), false);
+  for (std::size_t t = 0; t < surface.surface->triangles.size(); ++t) {
+    if (!surface.surface->cut_face[t]) continue;
+    for (int v : surface.surface->triangles[t])
+      if (!std::exchange(is_cut[v], true)) order.push_back(v);
+  }
+  const auto at = [&](int v) { return surface.rest[v].sum(); };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return at(a) < at(b); });
+  std::vector<double> own(surface.rest.size(), 1);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const int a = order[i];
+    const double near = SAME_PLACE * surface.size[a];
+    for (std::size_t k = i + 1; k < order.size() && at(order[k]) - at(a) < 2 * near; ++k) {
+      const int b = order[k];
+      if ((surface.rest[a] - surface.rest[b]).norm() > near) continue;
+      const double left = 1 - sharedWeight(surface.surface->vertices[a], surface.surface->vertices[b]);
+      own[a] = std::min(own[a], left);
+      own[b] = std::min(own[b], left);
+    }
+  }
+  return own;
 }
 
 class Builder {
@@ -85,6 +125,7 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   for (const SurfaceVertex& vertex : surface.vertices) made.vertex_piece.push_back(piece[vertex.copies[0]]);
   for (const auto& triangle : surface.triangles) made.piece.push_back(made.vertex_piece[triangle[0]]);
   Builder(&made).run(mesh);
+  made.own = ownWeights(made);
   for (double size : made.size) made.mean_size += size / static_cast<double>(made.size.size());
   return made;
 }

@@ -14,6 +14,10 @@ constexpr double ROUNDING = 1e-6;
 /// of a box, and 0.33 where the two faces of a slit end in the skin.
 constexpr double LEAST_SIDE = 0.5;
 
+/// Least share of its weights that a vertex of a slit must have for itself to be pushed aside: with less the material
+/// at the slit's end holds its two faces together, and copies would have to go ten times as far as the vertex.
+constexpr double LEAST_OWN = 0.1;
+
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
 /// Radius of a ball round the shape's origin that holds it [m].
@@ -87,11 +91,13 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
 /// point, unless that is on the far side of its material. The far side is told by the side on which the vertex was, if
 /// it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so that
 /// counts also a little beside the shape; but what would have to cross more than the blade is no face of the slit.
+/// Nothing does where a vertex has no side to go to, as at the slit's end.
 std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* side) {
   const ShapeDistance nearest = distanceTo(shape.shape, point);
   const double aside = DEEPEST_BEGIN * surface.size[vertex], width = thickness(shape.shape);
   if (nearest.distance > aside) return nearest;
+  if (surface.own[vertex] < LEAST_OWN) return std::nullopt;
   Vec3 n;
   if (side) {
     n = -*side;

@@ -29,7 +29,7 @@ Vec3 nearestOnTriangle(const std::array<Vec3, 3>& triangle, const Vec3& point) {
   return inside ? Vec3(point - (point - triangle[0]).dot(normal) / normal.squaredNorm() * normal) : best;
 }
 
-SkinDepth::SkinDepth(const TetMesh& mesh, const MeshTopology& topology) : mesh_(mesh) {
+SkinDepth::SkinDepth(const TetMesh& mesh, const MeshTopology& topology) : mesh_(&mesh) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     for (int f = 0; f < 4; ++f) {
       if (topology.neighbours[e][f] >= 0) continue;
@@ -47,7 +47,7 @@ double SkinDepth::at(int node) {
   if (first) {
     double least = std::numeric_limits<double>::infinity();
     for (const std::array<Vec3, 3>& face : faces_)
-      least = std::min(least, (nearestOnTriangle(face, mesh_.nodes[node]) - mesh_.nodes[node]).squaredNorm());
+      least = std::min(least, (nearestOnTriangle(face, mesh_->nodes[node]) - mesh_->nodes[node]).squaredNorm());
     known->second = std::sqrt(least);
   }
   return known->second;

@@ -10,15 +10,19 @@ namespace {
 /// length F_c/E by which the tissue itself gives way. More costs iterations.
 constexpr double EDGE_STIFFNESS = 20;
 
-/// Stations an element, so that each has one of its own.
-constexpr double STATIONS_PER_ELEMENT = 4;
+/// Stations an element: what the force is off where the edge comes out of the tissue is half a station.
+constexpr double STATIONS_PER_ELEMENT = 8;
 constexpr double MAX_STATIONS = 256;
 
 /// Change of a stiffness, as a share of it, that takes another solve.
-constexpr double STIFFNESS_TOLERANCE = 0.02;
+constexpr double STIFFNESS_TOLERANCE = 0.005;
 
 /// A point is in an element up to this beyond its faces, in its own coordinates: rounding.
 constexpr double OUTSIDE = 1e-9;
+
+/// What resists is looked for this far before the edge, in elements: at the edge itself it would be what it is just
+/// leaving.
+constexpr double LEAD = 0.2;
 
 /// An edge this near to the face of an old cut, in elements, runs in that cut.
 constexpr double IN_A_SLIT = 0.05;
@@ -76,6 +80,7 @@ void CuttingEdge::begin(const Edge& from, const Edge& to, const CutMesh& mesh, c
   depth_ = 0;
   Eigen::AlignedBox3d reach(from[0]);
   reach.extend(from[1]);
+  reach = {reach.min().array() - LEAD * size_, reach.max().array() + LEAD * size_};
   std::vector<int> near;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p)
     if (reach.intersects(boxOf(mesh.parts()[p], x))) near.push_back(static_cast<int>(p));
@@ -85,14 +90,20 @@ void CuttingEdge::begin(const Edge& from, const Edge& to, const CutMesh& mesh, c
     const Vec3 point = atStation(from, at);
     station.drift = atStation(to, at) - point;
     station.held = Coupling();
-    findTissue(point, near, mesh, x, ties, &station.held);
-    if (station.held.count == 0) station.slip.setZero();
+    const Vec3 way = station.slip + station.drift;
+    const Vec3 ahead =
+        station.forward.isZero(0) ? (way - way.dot(direction_) * direction_).stableNormalized() : station.forward;
+    if (!findTissue(point + LEAD * size_ * ahead, near, mesh, x, ties, &station.held)) {
+      station.slip.setZero();
+      station.forward.setZero();
+    }
     held_ = held_ || (station.held.count > 0 && cutting_force_ > 0);
   }
 }
 
 /// What of the tissue resists at a point: nothing in a slit, the sides of a tied section alike, a part of its own.
-void CuttingEdge::findTissue(const Vec3& point, const std::vector<int>& near, const CutMesh& mesh,
+/// Returns whether there is tissue.
+bool CuttingEdge::findTissue(const Vec3& point, const std::vector<int>& near, const CutMesh& mesh,
                              const std::vector<Vec3>& x, const Ties& ties, Coupling* held) {
   const auto hold = [&](int p, const Barycentric& b, double weight) {
     for (int I = 0; I < 4; ++I) held->add(mesh.parts()[p].copies[I], weight * b[I]);
@@ -115,8 +126,9 @@ void CuttingEdge::findTissue(const Vec3& point, const std::vector<int>& near, co
     } else if (!ahead.section && !besideCut(mesh, p, b, IN_A_SLIT * size_)) {
       hold(p, b, 1);
     }
-    return;
+    return true;
   }
+  return false;
 }
 
 CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const {

@@ -27,7 +27,10 @@ struct ContactSurface {
   std::vector<int> around;        ///< triangles
   std::vector<int> piece;         ///< of each triangle
   std::vector<int> vertex_piece;  ///< of each vertex
-  double mean_size = 0;           ///< of the vertices [m]
+  /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place holds: what is
+  /// left to open of a slit near its end. 1 where there is no other.
+  std::vector<double> own;
+  double mean_size = 0;  ///< of the vertices [m]
 };
 
 /// `surface` must outlive the result; `piece` of each copy.

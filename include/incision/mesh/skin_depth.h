@@ -20,7 +20,7 @@ class SkinDepth {
   double at(int node);
 
  private:
-  const TetMesh& mesh_;
+  const TetMesh* mesh_;
   std::vector<std::array<Vec3, 3>> faces_;
   std::unordered_map<int, double> known_;
 };

@@ -51,7 +51,7 @@ class CuttingEdge {
     bool yields;
   };
   Trial tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const;
-  void findTissue(const Vec3& point, const std::vector<int>& near, const CutMesh& mesh, const std::vector<Vec3>& x,
+  bool findTissue(const Vec3& point, const std::vector<int>& near, const CutMesh& mesh, const std::vector<Vec3>& x,
                   const Ties& ties, Coupling* held);
 
   double cutting_force_, friction_;  // [N/m], –
