@@ -66,6 +66,10 @@ class Client:
         last = self.next_state().step + count
         return self.wait_for(lambda: self.state.step >= last and self.state, f'{count} steps')
 
+    def reports_after(self, stamp):
+        """Those made later. The report of a stroke that a reset ended may come when the reset has been answered."""
+        return [report for report in self.reports if report.header.stamp > stamp]
+
     def pause(self, paused=True):
         return self._services['pause'](paused)
 

@@ -33,7 +33,7 @@ class ToolBadPoses(unittest.TestCase):
     def setUp(self):
         self.client.pause(False)
         self.client.reset()
-        self.reports, self.jumps = len(self.client.reports), self.client.state.tool_jumps
+        self.start, self.jumps = self.client.state.header.stamp, self.client.state.tool_jumps
         self.client.lead_tool(tool_line((X, BEFORE, 0), HERE))
         self.in_body = self.client.after_steps(10)
 
@@ -60,7 +60,7 @@ class ToolBadPoses(unittest.TestCase):
             self.client.lead_tool([pose])
         self.assertEqual(2, self.client.after_steps(10).pieces)
         self.assertEqual([('tool', CutReport.APPLIED, 2)], [(report.label, report.status, report.pieces)
-                                                            for report in self.client.reports[self.reports:]])
+                                                            for report in self.client.reports_after(self.start)])
         self.assertEqual((count, self.jumps), (self.rejected(), self.client.state.tool_jumps))
 
     def test_a_tool_far_away_has_jumped(self):

@@ -33,7 +33,7 @@ class ToolDropout(unittest.TestCase):
     def setUp(self):
         self.client.reset()
         self.client.activate_tool()
-        self.reports, self.jumps = len(self.client.reports), self.client.state.tool_jumps
+        self.start, self.jumps = self.client.state.header.stamp, self.client.state.tool_jumps
 
     def draw(self, *ys):
         """Leads the blade from each y to the next."""
@@ -43,7 +43,7 @@ class ToolDropout(unittest.TestCase):
 
     def check_reports(self, *pieces):
         """One report for each stroke that has ended, with the number of pieces then."""
-        reports = self.client.reports[self.reports:]
+        reports = self.client.reports_after(self.start)
         self.assertEqual([('tool', CutReport.APPLIED, count) for count in pieces],
                          [(report.label, report.status, report.pieces) for report in reports])
 
@@ -65,7 +65,7 @@ class ToolDropout(unittest.TestCase):
     def test_a_blade_switched_off_in_the_body_ends_its_stroke(self):
         cut = self.draw(BEFORE, INSIDE)
         self.client.activate_tool(False)
-        self.client.wait_for(lambda: self.client.reports[self.reports:], 'the report of the stroke')
+        self.client.wait_for(lambda: self.client.reports_after(self.start), 'the report of the stroke')
         self.assertEqual(of_cuts(cut), of_cuts(self.draw(INSIDE, DEEPER, INSIDE)))
         self.check_reports(1)
         self.client.activate_tool()

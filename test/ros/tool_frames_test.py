@@ -30,7 +30,7 @@ class ToolFrames(unittest.TestCase):
     def setUp(self):
         for client in (self.client, self.by_tf):
             client.reset()
-        self.seen = {client: (len(client.states), len(client.reports)) for client in (self.client, self.by_tf)}
+        self.seen = {client: (len(client.states), client.state.header.stamp) for client in (self.client, self.by_tf)}
 
     def send_transform(self, frame, position, stamp, turn=(1, 0)):
         """`turn`: about z, cosine and sine of half the angle."""
@@ -48,9 +48,9 @@ class ToolFrames(unittest.TestCase):
     def check_separated(self, client):
         """By one stroke."""
         client.wait_for(lambda: client.state.pieces == 2, 'the bar to be cut in two')
-        states, reports = self.seen[client]
+        states, stamp = self.seen[client]
         self.assertEqual([('tool', CutReport.APPLIED, 2)],
-                         [(report.label, report.status, report.pieces) for report in client.reports[reports:]])
+                         [(report.label, report.status, report.pieces) for report in client.reports_after(stamp)])
         self.assertFalse(any(state.tool_stale for state in client.states[states:]))
         self.assertEqual(1, client.state.cracks)
 

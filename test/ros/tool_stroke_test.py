@@ -26,14 +26,14 @@ class ToolStroke(unittest.TestCase):
 
     def setUp(self):
         self.client.reset()
-        self.reports = len(self.client.reports)
+        self.start = self.client.state.header.stamp
 
     def draw(self, start, end):
         self.client.lead_tool(tool_line((X, start, 0), (X, end, 0)))
         return self.client.after_steps(10)
 
     def new_reports(self):
-        return self.client.reports[self.reports:]
+        return self.client.reports_after(self.start)
 
     def cut_faces(self):
         """Their corners in the deformed body as it is drawn now."""
