@@ -6,9 +6,9 @@
 namespace incision {
 namespace {
 
-/// Triangles of the sweep kept for one element; the oldest go first. A blade that crosses an element in more sweeps
-/// than this has been told of all but what it left long ago.
-constexpr std::size_t MAX_TRIANGLES = 1024;
+/// Triangles of the sweep kept for one element; the oldest go first. An element is cut by the first of the sweeps that
+/// enter it; these tell what the last half element of the way was.
+constexpr std::size_t MAX_TRIANGLES = 128;
 
 /// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
 /// each element runs beside the swept surface by what that bends within one, and so through elements that the surface
@@ -31,6 +31,10 @@ constexpr double SMOOTHING = 0.5;
 /// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
 constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
 
+/// A blade that passes a part along a face of an old cut, this near to it, in elements, and turned by less than this
+/// cosine, runs in that cut: tissue that has moved a little must not be sliced again each time a blade goes back.
+constexpr double SAME_SLIT = 0.2, SAME_PLANE = 0.8;
+
 /// Whether all points lie beyond one face of the element, by more than `margin`.
 bool outside(const std::array<Barycentric, 4>& points, double margin) {
   for (int I = 0; I < 4; ++I)
@@ -49,6 +53,25 @@ bool liesInFace(const std::vector<Barycentric>& polygon) {
   for (int I = 0; I < 4; ++I)
     if (std::all_of(polygon.begin(), polygon.end(), [&](const Barycentric& b) { return b[I] == 0; })) return true;
   return false;
+}
+
+/// Whether a section of a part lies along one of the faces that cracks have given it.
+bool runsInSlit(const CutMesh& mesh, int p, const std::vector<Barycentric>& section) {
+  if (mesh.parts()[p].detail < 0) return false;
+  const int element = mesh.parts()[p].element;
+  const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
+  const CutPart& cut = mesh.detail(p);
+  const Vec3 centre = resting(polygonCentroid(section));
+  const Vec3 normal = vectorArea(section, resting).stableNormalized();
+  const double near = SAME_SLIT * std::cbrt(6 * elementVolume(mesh.mesh(), element));
+  return std::any_of(cut.polytope.facets.begin(), cut.polytope.facets.end(), [&](const Facet& facet) {
+    const bool severed = std::any_of(cut.face_sides.begin(), cut.face_sides.end(),
+                                     [&](const FaceSide& side) { return side.face == facet.face; });
+    if (facet.face >= 0 && !severed) return false;
+    const Vec3 out = vectorArea(cut.polytope, facet, resting).stableNormalized();
+    return std::abs(out.dot(normal)) > SAME_PLANE &&
+           std::abs(out.dot(centre - resting(cut.polytope.corners[facet.corners[0]]))) < near;
+  });
 }
 
 double shortestEdge(const Part& part, const CutMesh& mesh) {
@@ -84,7 +107,8 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mes
   measure(to, x, *mesh);
   CrackField crack = field(*mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
-    return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive());
+    return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
+           (liesInFace(polygon) || !runsInSlit(*mesh, part, polygon));
   };
   const int before = mesh->numCopies();
   const Insertion done = mesh->insert(crack);
@@ -249,8 +273,11 @@ bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, c
   };
   if (!progressive || liesInFace(polygon)) return covered(polygonCentroid(polygon));
   const std::vector<Barycentric> points = spread(polygon);
-  return static_cast<double>(std::count_if(points.begin(), points.end(), covered)) >=
-         FIRST_SHARE * static_cast<double>(points.size());
+  double left = FIRST_SHARE * static_cast<double>(points.size());
+  return std::any_of(points.begin(), points.end(), [&](const Barycentric& point) {
+    left -= covered(point);
+    return left <= 0;
+  });
 }
 
 /// The copies of the parts that were split keep their distances, and pass them on to the new ones.

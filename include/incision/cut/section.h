@@ -27,14 +27,26 @@ const Facet* facetOf(const Polytope& polytope, int crack);
 /// Corners of a facet.
 std::vector<Barycentric> cornersOf(const Polytope& polytope, const Facet& facet);
 
-/// Vector area of a facet, outwards, with its corners mapped to points by `place`.
+/// Vector area of a flat polygon of `count` corners: the points corner(0), corner(1), …
+template <typename Corner>
+Vec3 vectorAreaOf(std::size_t count, const Corner& corner) {
+  Vec3 area = Vec3::Zero();
+  const Vec3 base = corner(0);
+  for (std::size_t i = 2; i < count; ++i) area += (corner(i - 1) - base).cross(corner(i) - base) / 2;
+  return area;
+}
+
+/// Of a facet, outwards, with its corners mapped to points by `place`.
 template <typename Place>
 Vec3 vectorArea(const Polytope& polytope, const Facet& facet, const Place& place) {
-  Vec3 area = Vec3::Zero();
-  const auto corner = [&](std::size_t i) { return place(polytope.corners[facet.corners[i]]); };
-  const Vec3 base = corner(0);
-  for (std::size_t i = 2; i < facet.corners.size(); ++i) area += (corner(i - 1) - base).cross(corner(i) - base) / 2;
-  return area;
+  return vectorAreaOf(facet.corners.size(),
+                      [&](std::size_t i) -> Vec3 { return place(polytope.corners[facet.corners[i]]); });
+}
+
+/// Of a polygon, likewise.
+template <typename Place>
+Vec3 vectorArea(const std::vector<Barycentric>& polygon, const Place& place) {
+  return vectorAreaOf(polygon.size(), [&](std::size_t i) -> Vec3 { return place(polygon[i]); });
 }
 
 /// The section that a crack's facet of a part is, when it has just been split with this part on the positive side. The
