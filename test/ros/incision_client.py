@@ -1,11 +1,13 @@
 """What the tests of the node share: its topics and services, and waiting for what they say."""
 
+import math
 import threading
 import time
 
 import rospy
-from geometry_msgs.msg import Point, PoseStamped, Quaternion, Vector3
+from geometry_msgs.msg import Point, PoseStamped, Quaternion, Vector3, WrenchStamped
 from incision.msg import BodyState, CutPlane, CutReport
+from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, Trigger
 
 TIMEOUT = 15.0  # [s] wall time; far above what anything here takes
@@ -14,18 +16,22 @@ TIMEOUT = 15.0  # [s] wall time; far above what anything here takes
 class Client:
     """Talks to one node and remembers what it says."""
 
-    def __init__(self, name='/incision'):
-        self.states, self.reports = [], []
+    def __init__(self, name='/incision', tool_poses=True):
+        """`tool_poses`: the node listens to them, which it does not when it has its tool's pose from tf."""
+        self.states, self.reports, self.wrenches = [], [], []
         self._news = threading.Condition()
         rospy.Subscriber(name + '/state', BodyState, lambda message: self._keep(self.states, message))
         rospy.Subscriber(name + '/cut_report', CutReport, lambda message: self._keep(self.reports, message))
+        rospy.Subscriber(name + '/tool_wrench', WrenchStamped, lambda message: self._keep(self.wrenches, message))
         self._cuts = rospy.Publisher(name + '/cut_plane', CutPlane, queue_size=10000, tcp_nodelay=True)
         self._poses = rospy.Publisher(name + '/tool_pose', PoseStamped, queue_size=1000)
+        self._tool_active = rospy.Publisher(name + '/tool_active', Bool, queue_size=10, latch=True)
         self._services = {}
         for service, kind in (('pause', SetBool), ('step', Trigger), ('reset', Trigger)):
             rospy.wait_for_service(f'{name}/{service}', TIMEOUT)
             self._services[service] = rospy.ServiceProxy(f'{name}/{service}', kind)
-        self.wait_for(lambda: self._cuts.get_num_connections() and self._poses.get_num_connections(), 'the node')
+        needed = [self._cuts, self._poses] if tool_poses else [self._cuts]
+        self.wait_for(lambda: all(topic.get_num_connections() for topic in needed), 'the node')
         self.wait_for(lambda: self.states, 'a state')
 
     def _keep(self, kept, message):
@@ -55,6 +61,15 @@ class Client:
         self.wait_for(lambda: len(self.states) > seen + 1, 'the next state')
         return self.state
 
+    def after_steps(self, count):
+        """The state that many steps later."""
+        last = self.next_state().step + count
+        return self.wait_for(lambda: self.state.step >= last and self.state, f'{count} steps')
+
+    def reports_after(self, stamp):
+        """Those made later. The report of a stroke that a reset ended may come when the reset has been answered."""
+        return [report for report in self.reports if report.header.stamp > stamp]
+
     def pause(self, paused=True):
         return self._services['pause'](paused)
 
@@ -81,6 +96,17 @@ class Client:
     def move_tool(self, pose):
         self._poses.publish(pose)
 
+    def lead_tool(self, poses):
+        """One pose a step. The last one has not been followed yet when this returns."""
+        for pose in poses:
+            seen = len(self.states)
+            self.move_tool(pose)
+            self.wait_for(lambda: len(self.states) > seen, 'a step')
+
+    def activate_tool(self, active=True):
+        self._tool_active.publish(active)
+        self.wait_for(lambda: self.state.tool_active == active, f'tool_active: {active}')
+
 
 def cut_plane(frame='body', stamp=None, label='cut', point=(0, 0, 0), normal=(1, 0, 0), tangent=(0, 0, 0), length=0,
               width=0):
@@ -98,3 +124,9 @@ def tool_pose(position, orientation=(0, 0, 0, 1), frame='body'):
     pose.pose.position = Point(*position)
     pose.pose.orientation = Quaternion(*orientation)
     return pose
+
+
+def tool_line(start, end, orientation=(0, 0, 0, 1), step=0.005):
+    """Poses from `start` to `end` in the body's frame, evenly, up to `step` [m] apart."""
+    count = math.ceil(math.dist(start, end) / step)
+    return [tool_pose([a + (b - a) * i / count for a, b in zip(start, end)], orientation) for i in range(count + 1)]
