@@ -11,6 +11,9 @@ using visualization_msgs::InteractiveMarker;
 using visualization_msgs::InteractiveMarkerControl;
 using visualization_msgs::Marker;
 
+/// Of rings and arrows, over the size of what they move: to be hit with the mouse, and not to hide the body.
+constexpr double CONTROLS = 0.6;
+
 /// Of the handle, over its length.
 constexpr double HANDLE_THICKNESS = 0.07;
 
@@ -23,7 +26,7 @@ InteractiveMarker markerOf(const std::string& name, const std::string& frame, co
   marker.name = name;
   marker.description = name;
   marker.pose = toPoseMessage(pose);
-  marker.scale = static_cast<float>(size);
+  marker.scale = static_cast<float>(CONTROLS * size);
   return marker;
 }
 
