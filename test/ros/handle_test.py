@@ -115,7 +115,8 @@ class Handle(unittest.TestCase):
         cut = self.report(lambda: self.select('plane', UNBOUNDED))
         self.assertEqual((CutReport.APPLIED, 2), (cut.status, cut.pieces), cut.reason)
         self.assertNotEqual(slit.label, cut.label)
-        first, second = self.planes[-2:]
+        self.client.wait_for(lambda: len(self.planes) == 2, 'both planes')
+        first, second = self.planes
         self.assertEqual([(0.2, 0.5), (0, 0)], [(plane.length, plane.width) for plane in (first, second)])
         self.assertEqual((0.3, 0.7), (first.point.x, second.point.x))
         self.assertAlmostEqual(1, first.normal.x, delta=1e-12)
