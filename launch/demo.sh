@@ -65,16 +65,17 @@ start_display() {
   export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1 XDG_RUNTIME_DIR="$run/xdg"
 }
 
-# Waits until all has happened, then for rviz: a screen without its window has few colours. The window comes before the
-# body.
+# Waits for rviz, and then until all has happened: a screen without rviz's window has few colours.
 take_picture() {
-  local end=$((SECONDS + PICTURE_TIMEOUT))
+  local end=$((SECONDS + PICTURE_TIMEOUT)) drawn=
   while ((SECONDS < end)) && kill -0 "$roslaunch" 2>/dev/null; do
-    sleep 1
+    sleep 0.3
+    if [[ ! $drawn ]]; then
+      import -window root "$run/picture.png"
+      (($(identify -format %k "$run/picture.png") > 100)) && drawn=1 && sleep 3  # the window comes before the body
+      continue
+    fi
     grep -q "$through" "$run/log" || continue
-    import -window root "$run/picture.png"
-    (($(identify -format %k "$run/picture.png") > 100)) || continue
-    sleep 3
     import -window root "$run/picture.png"
     mkdir -p "$(dirname "$picture")"
     mv "$run/picture.png" "$picture"
