@@ -76,6 +76,7 @@ take_picture() {
       continue
     fi
     grep -q "$through" "$run/log" || continue
+    sleep 2  # a busy machine draws it later
     import -window root "$run/picture.png"
     mkdir -p "$(dirname "$picture")"
     mv "$run/picture.png" "$picture"
