@@ -3,22 +3,26 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-# What the demo's node prints first when it is through.
-SUMMARY="Summary of the demo"
 PICTURE_TIMEOUT=180
 
 usage() {
-  echo "usage: launch/demo.sh [--headless] [--picture FILE.png] [--build-only]"
-  echo "  --headless          without rviz; ends by itself (so also where there is no display)"
+  echo "usage: launch/demo.sh [--scalpel] [--headless] [--picture FILE.png] [--build-only]"
+  echo "  --scalpel           a scalpel that is drawn halfway over the organ, instead of the demo"
+  echo "  --headless          without rviz (so also where there is no display); the demo ends by itself"
   echo "  --picture FILE.png  leaves a picture of the cut body as rviz draws it, without a display, and ends"
   echo "  --build-only        install and build, run nothing"
 }
 
+# What to launch, its argument for no display, and what it prints when there is nothing more to see.
+launch=demo.launch
+without_rviz=headless:=true
+through="Summary of the demo"
 headless=
 picture=
 build_only=
 while (($#)); do
   case $1 in
+    --scalpel) launch=scalpel.launch without_rviz=rviz:=false through="the path is through" ;;
     --headless) headless=1 ;;
     --picture) (($# > 1)) || { usage >&2 && exit 2; } && picture=$(realpath -m "$2") && shift ;;
     --build-only) build_only=1 ;;
@@ -61,15 +65,18 @@ start_display() {
   export DISPLAY LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1 XDG_RUNTIME_DIR="$run/xdg"
 }
 
-# Waits for the summary, then for rviz: a screen without its window has few colours. The window comes before the body.
+# Waits for rviz, and then until all has happened: a screen without rviz's window has few colours.
 take_picture() {
-  local end=$((SECONDS + PICTURE_TIMEOUT))
+  local end=$((SECONDS + PICTURE_TIMEOUT)) drawn=
   while ((SECONDS < end)) && kill -0 "$roslaunch" 2>/dev/null; do
-    sleep 1
-    grep -q "$SUMMARY" "$run/log" || continue
-    import -window root "$run/picture.png"
-    (($(identify -format %k "$run/picture.png") > 100)) || continue
-    sleep 3
+    sleep 0.3
+    if [[ ! $drawn ]]; then
+      import -window root "$run/picture.png"
+      (($(identify -format %k "$run/picture.png") > 100)) && drawn=1 && sleep 3  # the window comes before the body
+      continue
+    fi
+    grep -q "$through" "$run/log" || continue
+    sleep 2  # a busy machine draws it later
     import -window root "$run/picture.png"
     mkdir -p "$(dirname "$picture")"
     mv "$run/picture.png" "$picture"
@@ -80,15 +87,16 @@ take_picture() {
 }
 
 enter_ros
-arguments=(rviz:=true headless:=false)
+export ROSCONSOLE_STDOUT_LINE_BUFFERED=1  # or what nodes say comes only at their end
+arguments=()
 if [[ $picture ]]; then
   start_display
 elif [[ $headless ]]; then
-  arguments=(rviz:=false headless:=true)
+  arguments=("$without_rviz")
 fi
 
 touch "$run/log"
-roslaunch --port "${ROS_MASTER_URI##*:}" incision demo.launch "${arguments[@]}" > >(tee -i "$run/log") 2>&1 &
+roslaunch --port "${ROS_MASTER_URI##*:}" incision "$launch" "${arguments[@]}" > >(tee -i "$run/log") 2>&1 &
 roslaunch=$!
 pids+=("$roslaunch")
 if [[ $picture ]]; then

@@ -23,7 +23,7 @@ def stage_of(path):
     """The stage of a source file; the programs see what their library holds."""
     if path.name == 'incision_batch.cpp':
         return 'body'
-    if path.name == 'incision_node.cpp':
+    if path.name in ('incision_node.cpp', 'incision_scalpel.cpp', 'incision_handle.cpp'):
         return 'ros'
     return path.parent.name
 

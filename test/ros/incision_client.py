@@ -108,6 +108,15 @@ class Client:
         self.wait_for(lambda: self.state.tool_active == active, f'tool_active: {active}')
 
 
+def wait_for(condition, what, timeout=TIMEOUT):
+    """The same without a client."""
+    deadline = time.monotonic() + timeout
+    while not condition():
+        if time.monotonic() > deadline:
+            raise AssertionError(f'waited {timeout} s for {what}')
+        time.sleep(0.01)
+
+
 def cut_plane(frame='body', stamp=None, label='cut', point=(0, 0, 0), normal=(1, 0, 0), tangent=(0, 0, 0), length=0,
               width=0):
     plane = CutPlane(label=label, point=Point(*point), normal=Vector3(*normal), tangent=Vector3(*tangent),
