@@ -209,9 +209,10 @@ void Stroke::turnAlike() {
   if (sum.norm() > 0) normal_ = sum.normalized();
 }
 
-/// From a plane through the edge as it stands now [m].
+/// From the edge as it stands now, along the heading [m]. Not from the edge's end: where the edge turns, a heading of
+/// the way so far is not quite at right angles to it, and the end may be far.
 double Stroke::distanceNow(int copy, const Edge& to, const std::vector<Vec3>& x) const {
-  return headings_.at(copy).dot(x[copy] - to[0]);
+  return headings_.at(copy).dot(x[copy] - nearest(to, x[copy]));
 }
 
 /// Whether the sweep goes on, into a part that the crack has not split, in another direction than the crack's there.
