@@ -119,8 +119,11 @@ bool DeformableBody::State::beginCouplings(double time_step) {
     contact->begin(motion, time_step, links);
     contact_ms = 1e3 * secondsSince(start);
   }
-  if (cutting) cutting->leave();
-  if (tool.pose && tool.active) cutting->begin(placed(edge, tool.from), placed(edge, tool.to), mesh, motion.x, *ties);
+  if (tool.pose && tool.active) {
+    cutting->begin(placed(edge, tool.from), placed(edge, tool.to), mesh, motion.x, *ties);
+  } else if (cutting) {
+    cutting->leave();
+  }
   acting.contact = contact && contact->mayTouch();
   acting.cohesion = cohesion && !cohesion->empty();
   acting.ties = ties && !ties->empty();

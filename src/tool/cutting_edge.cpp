@@ -93,10 +93,14 @@ void CuttingEdge::begin(const Edge& from, const Edge& to, const CutMesh& mesh, c
     const Vec3 way = station.slip + station.drift;
     const Vec3 ahead =
         station.forward.isZero(0) ? (way - way.dot(direction_) * direction_).stableNormalized() : station.forward;
-    if (!findTissue(point + LEAD * size_ * ahead, near, mesh, x, ties, &station.held)) {
+    if (!findTissue(point, near, mesh, x, ties, &station.held)) {
       station.slip.setZero();
       station.forward.setZero();
+      continue;
     }
+    in_tissue_ = true;
+    Coupling before;
+    if (findTissue(point + LEAD * size_ * ahead, near, mesh, x, ties, &before)) station.held = before;
     held_ = held_ || (station.held.count > 0 && cutting_force_ > 0);
   }
 }
@@ -116,7 +120,6 @@ bool CuttingEdge::findTissue(const Vec3& point, const std::vector<int>& near, co
     if (b.minCoeff() < -OUTSIDE) continue;
     const Ties::Ahead ahead = ties.ahead(part.element, b);
     if (!ahead.section && !holds(mesh.polytope(p), b)) continue;
-    in_tissue_ = true;
     double depth = 0;
     for (int I = 0; I < 4; ++I) depth += b[I] * skin_.at(mesh.copyNode(part.copies[I]));
     depth_ = std::max(depth_, depth);

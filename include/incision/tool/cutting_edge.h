@@ -22,7 +22,11 @@ class CuttingEdge {
   void begin(const Edge& from, const Edge& to, const CutMesh& mesh, const std::vector<Vec3>& x, const Ties& ties);
 
   /// The edge is not there in this step.
-  void leave() { stations_.clear(); }
+  void leave() {
+    stations_.clear();
+    held_ = in_tissue_ = false;
+    depth_ = 0;
+  }
 
   /// As Couple says, but appends.
   bool update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
