@@ -130,6 +130,7 @@ std::optional<CutResult> DeformableBody::State::endStroke() {
   CutResult result = std::exchange(stroke_result, CutResult());
   if (stroke.begun()) last_area = ties->area() - area_before;
   stroke = Stroke();
+  cutting->leave();
   area_before = ties->area();
   if (result.status == CutStatus::MISSED) return std::nullopt;  // it grazed the body
   result.label = "tool";

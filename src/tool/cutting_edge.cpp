@@ -108,6 +108,12 @@ void CuttingEdge::begin(const Edge& from, const Edge& to, const CutMesh& mesh, c
   }
 }
 
+void CuttingEdge::leave() {
+  stations_.clear();
+  held_ = in_tissue_ = false;
+  depth_ = 0;
+}
+
 std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, const std::vector<Near>& near,
                                                           const CutMesh& mesh, const Ties& ties) {
   for (const auto& [p, frame] : near) {

@@ -22,8 +22,8 @@ class CuttingEdge {
   /// A step starts with the copies at `x` [m], in which the edge goes evenly from `from` to `to`.
   void begin(const Edge& from, const Edge& to, const CutMesh& mesh, const std::vector<Vec3>& x, const Ties& ties);
 
-  /// The edge is not there in this step.
-  void leave() { stations_.clear(); }
+  /// The edge is no longer there, until the next step that begins with it.
+  void leave();
 
   /// As Couple says, but appends.
   bool update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
