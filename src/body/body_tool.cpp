@@ -128,7 +128,7 @@ ToolReport DeformableBody::State::toolReport() const {
 std::optional<CutResult> DeformableBody::State::endStroke() {
   if (!scene.tool) return std::nullopt;
   CutResult result = std::exchange(stroke_result, CutResult());
-  if (stroke.begun()) last_area = ties->area() - area_before;
+  if (result.status != CutStatus::MISSED) last_area = ties->area() - area_before;
   stroke = Stroke();
   cutting->leave();
   area_before = ties->area();

@@ -59,22 +59,20 @@ TEST(CuttingEdge, BeforeItComesToTheTissueItFeelsNothing) {
 }
 
 TEST(CuttingEdge, BelowTheCuttingForceTheTissueGivesWayLinearlyUncut) {
-  Scene scene = blockAndEdge(3, 1e5);
-  Pushed pushed(scene, -0.001);
-  pushed.to(0.002, 0.02);  // in the tissue
-  const double first = pushed.report.force.x(), start = pushed.x;
-  double before = 0, before_x = 0;
-  for (const double x : {0.004, 0.006, 0.008}) {
+  const double force = 4000;
+  Pushed pushed(blockAndEdge(3, force), 0);
+  double first = 0;
+  for (int k = 1; k <= 4; ++k) {
+    const double x = 0.002 * k;
     pushed.to(x, 0.02);
-    for (int k = 0; k < 300; ++k) pushed.report = pushed.body.step().tool;
-    const double slope = (pushed.report.force.x() - before) / (x - before_x);
-    if (before != 0) EXPECT_NEAR(slope, before / before_x, 0.1 * std::abs(slope));
-    before = pushed.report.force.x();
-    before_x = x;
+    for (int rest = 0; rest < 100; ++rest) pushed.report = pushed.body.step().tool;
+    if (k == 1) first = pushed.report.force.x();
+    EXPECT_LT(pushed.report.force.x(), -1) << x;
+    EXPECT_NEAR(pushed.report.force.x(), k * first, 0.1 * std::abs(k * first)) << x;
+    EXPECT_GT(pushed.report.force.x(), -force * HEIGHT) << x;
+    // It slips a twentieth of what the tissue gives way.
+    EXPECT_LT(pushed.report.stroke_area, 0.1 * HEIGHT * x) << x;
   }
-  EXPECT_LT(before, first);
-  EXPECT_GT(before_x, start);
-  EXPECT_LT(pushed.report.stroke_area, 0.005 * HEIGHT * before_x);
 }
 
 TEST(CuttingEdge, AdvancesAgainstTheCuttingForceTimesItsLengthInTheTissue) {
@@ -117,15 +115,16 @@ TEST(CuttingEdge, GoingBackItIsFree) {
   Pushed pushed(blockAndEdge());
   pushed.to(0.08, 0.05);
   const double area = pushed.report.stroke_area;
-  pushed.to(0.078, 0.05);  // what is slipped elastically, and how the tissue springs back
+  pushed.to(0.07, 0.05);  // the tissue has sprung back
   pushed.most = 0;
   pushed.to(-0.02, 0.05);
   EXPECT_LT(pushed.most, 1e-9 * FORCE);
-  EXPECT_NEAR(pushed.body.step().tool.stroke_area, area, 1e-3 * area);
+  EXPECT_NEAR(pushed.report.stroke_area, area, 1e-3 * area);
 }
 
 TEST(CuttingEdge, InTheSlitOfAnEarlierStrokeItIsFree) {
-  Pushed pushed(blockAndEdge());
+  const double force = 0.1;  // so little that the slit lies where the blade has been, within SNAP
+  Pushed pushed(blockAndEdge(3, force));
   pushed.to(0.08, 0.05);
   const BodyCounts counts = pushed.body.counts();
   pushed.body.liftTool();
@@ -134,11 +133,11 @@ TEST(CuttingEdge, InTheSlitOfAnEarlierStrokeItIsFree) {
   pushed.body.placeTool(poseAt(pushed.x, Y));
   pushed.most = 0;
   pushed.to(0.06, 0.05);
-  EXPECT_LT(pushed.most, 0.01 * FORCE * HEIGHT);
+  EXPECT_LT(pushed.most, 0.01 * force * HEIGHT);
   EXPECT_EQ(pushed.body.counts().parts, counts.parts);
   EXPECT_EQ(pushed.body.counts().cracks, 1);
   pushed.to(0.12, 0.05);
-  EXPECT_NEAR(pushed.report.force.x(), -FORCE * HEIGHT, 0.03 * FORCE * HEIGHT);
+  EXPECT_NEAR(pushed.report.force.x(), -force * HEIGHT, 0.03 * force * HEIGHT);
 }
 
 TEST(CuttingEdge, WithoutACuttingForceItIsFree) {
