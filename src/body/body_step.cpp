@@ -119,11 +119,7 @@ bool DeformableBody::State::beginCouplings(double time_step) {
     contact->begin(motion, time_step, links);
     contact_ms = 1e3 * secondsSince(start);
   }
-  if (tool.pose && tool.active) {
-    cutting->begin(placed(edge, tool.from), placed(edge, tool.to), mesh, motion.x, *ties);
-  } else if (cutting) {
-    cutting->leave();
-  }
+  if (tool.pose && tool.active) cutting->begin(placed(edge, tool.from), placed(edge, tool.to), mesh, motion.x, *ties);
   acting.contact = contact && contact->mayTouch();
   acting.cohesion = cohesion && !cohesion->empty();
   acting.ties = ties && !ties->empty();

@@ -121,15 +121,16 @@ ToolReport DeformableBody::State::toolReport() const {
   report.torque = wrench.torque;
   report.touching = cutting->inTissue() || !wrench.force.isZero(0);
   report.depth = cutting->depth();
-  report.stroke_area = stroke_result.status == CutStatus::APPLIED ? ties->area() - area_before : last_area;
+  report.stroke_area = stroke_result.status != CutStatus::MISSED ? ties->area() - area_before : last_area;
   return report;
 }
 
 std::optional<CutResult> DeformableBody::State::endStroke() {
   if (!scene.tool) return std::nullopt;
   CutResult result = std::exchange(stroke_result, CutResult());
-  if (result.status == CutStatus::APPLIED) last_area = ties->area() - area_before;
+  if (result.status != CutStatus::MISSED) last_area = ties->area() - area_before;
   stroke = Stroke();
+  cutting->leave();
   area_before = ties->area();
   if (result.status == CutStatus::MISSED) return std::nullopt;  // it grazed the body
   result.label = "tool";

@@ -20,8 +20,8 @@ constexpr double STIFFNESS_TOLERANCE = 0.005;
 /// A point is in an element up to this beyond its faces, in its own coordinates: rounding.
 constexpr double OUTSIDE = 1e-9;
 
-/// What resists is looked for this far before the edge, in elements: at the edge itself it would be what it is just
-/// leaving.
+/// What resists an edge in tissue is looked for this far before it, in elements: at the edge itself it would be what it
+/// is just leaving. Where there is no tissue so far on, it comes out, and what it leaves is all there is.
 constexpr double LEAD = 0.2;
 
 /// An edge this near to the face of an old cut, in elements, runs in that cut.
@@ -81,57 +81,62 @@ void CuttingEdge::begin(const Edge& from, const Edge& to, const CutMesh& mesh, c
   Eigen::AlignedBox3d reach(from[0]);
   reach.extend(from[1]);
   reach = {reach.min().array() - LEAD * size_, reach.max().array() + LEAD * size_};
-  std::vector<int> near;
+  std::vector<Near> near;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p)
-    if (reach.intersects(boxOf(mesh.parts()[p], x))) near.push_back(static_cast<int>(p));
+    if (reach.intersects(boxOf(mesh.parts()[p], x))) near.push_back({static_cast<int>(p), {mesh.parts()[p], x}});
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const double at = (static_cast<double>(i) + 0.5) / count;
     Station& station = stations_[i];
     const Vec3 point = atStation(from, at);
     station.drift = atStation(to, at) - point;
     station.held = Coupling();
+    const std::optional<Found> here = findTissue(point, near, mesh, ties);
+    if (here) depth_ = std::max(depth_, here->depth);
+    in_tissue_ = in_tissue_ || here;
+    const bool has_cut = !station.forward.isZero(0);
     const Vec3 way = station.slip + station.drift;
-    const Vec3 ahead =
-        station.forward.isZero(0) ? (way - way.dot(direction_) * direction_).stableNormalized() : station.forward;
-    if (!findTissue(point, near, mesh, x, ties, &station.held)) {
+    const Vec3 forward = has_cut ? station.forward : (way - way.dot(direction_) * direction_).stableNormalized();
+    std::optional<Found> ahead;
+    if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, near, mesh, ties);
+    if (ahead || here) {
+      station.held = (ahead ? ahead : here)->held;
+    } else {
       station.slip.setZero();
       station.forward.setZero();
-      continue;
     }
-    in_tissue_ = true;
-    Coupling before;
-    if (findTissue(point + LEAD * size_ * ahead, near, mesh, x, ties, &before)) station.held = before;
     held_ = held_ || (station.held.count > 0 && cutting_force_ > 0);
   }
 }
 
-/// What of the tissue resists at a point: nothing in a slit, the sides of a tied section alike, a part of its own.
-/// Returns whether there is tissue.
-bool CuttingEdge::findTissue(const Vec3& point, const std::vector<int>& near, const CutMesh& mesh,
-                             const std::vector<Vec3>& x, const Ties& ties, Coupling* held) {
-  const auto hold = [&](int p, const Barycentric& b, double weight) {
-    for (int I = 0; I < 4; ++I) held->add(mesh.parts()[p].copies[I], weight * b[I]);
-  };
-  for (int p : near) {
+void CuttingEdge::leave() {
+  stations_.clear();
+  held_ = in_tissue_ = false;
+  depth_ = 0;
+}
+
+std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, const std::vector<Near>& near,
+                                                          const CutMesh& mesh, const Ties& ties) {
+  for (const auto& [p, frame] : near) {
     const Part& part = mesh.parts()[p];
-    const PartFrame frame(part, x);
     if (!frame.invertible()) continue;
     const Barycentric b = frame.toElement(point);
     if (b.minCoeff() < -OUTSIDE) continue;
     const Ties::Ahead ahead = ties.ahead(part.element, b);
     if (!ahead.section && !holds(mesh.polytope(p), b)) continue;
-    double depth = 0;
-    for (int I = 0; I < 4; ++I) depth += b[I] * skin_.at(mesh.copyNode(part.copies[I]));
-    depth_ = std::max(depth_, depth);
+    Found found;
+    const auto hold = [&](int side, double weight) {
+      for (int I = 0; I < 4; ++I) found.held.add(mesh.parts()[side].copies[I], weight * b[I]);
+    };
+    for (int I = 0; I < 4; ++I) found.depth += b[I] * skin_.at(mesh.copyNode(part.copies[I]));
     if (ahead.unswept) {
-      hold(ahead.section->plus, b, 0.5);
-      hold(ahead.section->minus, b, 0.5);
+      hold(ahead.section->plus, 0.5);
+      hold(ahead.section->minus, 0.5);
     } else if (!ahead.section && !besideCut(mesh, p, b, IN_A_SLIT * size_)) {
-      hold(p, b, 1);
+      hold(p, 1);
     }
-    return true;
+    return found;
   }
-  return false;
+  return std::nullopt;
 }
 
 CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const {

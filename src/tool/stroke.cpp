@@ -74,6 +74,9 @@ bool runsInSlit(const CutMesh& mesh, int p, const std::vector<Barycentric>& sect
   });
 }
 
+/// A vector or its opposite, whichever points to the side of another.
+Vec3 alike(const Vec3& side, const Vec3& vector) { return vector.dot(side) < 0 ? Vec3(-vector) : vector; }
+
 double shortestEdge(const Part& part, const CutMesh& mesh) {
   double shortest = mesh.shortestEdge(mesh.copyNode(part.copies[0]));
   for (int I = 1; I < 4; ++I) shortest = std::min(shortest, mesh.shortestEdge(mesh.copyNode(part.copies[I])));
@@ -171,7 +174,8 @@ void Stroke::keepTriangles(const CutMesh& mesh) {
 }
 
 /// The crack's normal at the copies passed, from the sweeps round them over the last half edge. Normals add up as
-/// vectors: of an edge that trembles, what goes back and forth cancels.
+/// vectors, turned alike: of an edge that trembles, what goes sideways cancels, and an edge that goes back keeps to its
+/// crack.
 void Stroke::findHeadings(const CutMesh& mesh) {
   std::unordered_map<int, std::pair<Vec3, int>> sums;
   for (const Passed& passed : passed_)
@@ -182,14 +186,14 @@ void Stroke::findHeadings(const CutMesh& mesh) {
     }
   for (const auto& [c, sum] : sums) {
     Vec3& way = ways_.try_emplace(c, Vec3::Zero()).first->second;
-    const Vec3 mean = sum.first / sum.second;
+    const Vec3 mean = alike(way.isZero(0) ? normal_ : way, sum.first / sum.second);
     way = std::exp(-mean.norm() / (SMOOTHING * mesh.shortestEdge(mesh.copyNode(c)))) * way + mean;
   }
   headings_.clear();
   for (const Passed& passed : passed_) {
     const auto& copies = mesh.parts()[passed.part].copies;
     Vec3 sum = Vec3::Zero();
-    for (int c : copies) sum += ways_.at(c);
+    for (int c : copies) sum += alike(normal_, ways_.at(c));
     for (int c : copies) headings_.try_emplace(c, Vec3::Zero()).first->second += sum;
   }
   turnAlike();
@@ -202,8 +206,7 @@ void Stroke::turnAlike() {
   if (normal_.isZero(0)) normal_ = sum.stableNormalized();
   sum.setZero();
   for (auto& [c, heading] : headings_) {
-    heading.stableNormalize();
-    if (heading.dot(normal_) < 0) heading = -heading;
+    heading = alike(normal_, heading.stableNormalized());
     sum += heading;
   }
   if (sum.norm() > 0) normal_ = sum.normalized();

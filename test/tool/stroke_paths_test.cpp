@@ -138,7 +138,7 @@ TEST(StrokePath, AScrewedBladeCutsAHelicalSurface) {
     DeformableBody body(scene, loadMesh(scene));
     const double turn = 0.8;
     draw(&body, along(moves, [&](double s) {
-      Pose pose = poseAt(-0.1 + 1.2 * s, 0.25, 0.125);
+      Pose pose = poseAt(-0.1 + 1.2 * s, 0.26, 0.125);
       pose.orientation = Eigen::AngleAxisd(turn * s, Vec3::UnitX());
       return pose;
     }));
@@ -146,7 +146,7 @@ TEST(StrokePath, AScrewedBladeCutsAHelicalSurface) {
     EXPECT_EQ(body.counts().cracks, 1) << moves;
     const auto off = [&](const Vec3& X) {
       const double angle = turn * (X.x() + 0.1) / 1.2;
-      return (X.y() - 0.25) * std::cos(angle) + (X.z() - 0.125) * std::sin(angle);
+      return (X.y() - 0.26) * std::cos(angle) + (X.z() - 0.125) * std::sin(angle);
     };
     EXPECT_LT(farthest(body, off), 0.15 * cellOf(body.scene())) << moves;
   }

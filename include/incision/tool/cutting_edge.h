@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "incision/mesh/skin_depth.h"
@@ -21,12 +22,8 @@ class CuttingEdge {
   /// A step starts with the copies at `x` [m], in which the edge goes evenly from `from` to `to`.
   void begin(const Edge& from, const Edge& to, const CutMesh& mesh, const std::vector<Vec3>& x, const Ties& ties);
 
-  /// The edge is not there in this step.
-  void leave() {
-    stations_.clear();
-    held_ = in_tissue_ = false;
-    depth_ = 0;
-  }
+  /// The edge is no longer there, until the next step that begins with it.
+  void leave();
 
   /// As Couple says, but appends.
   bool update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
@@ -55,8 +52,18 @@ class CuttingEdge {
     bool yields;
   };
   Trial tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const;
-  bool findTissue(const Vec3& point, const std::vector<int>& near, const CutMesh& mesh, const std::vector<Vec3>& x,
-                  const Ties& ties, Coupling* held);
+  /// What is where a point is: the material that resists there, nothing in a slit, the sides of a tied section alike;
+  /// and how far below the skin, at rest [m].
+  struct Found {
+    Coupling held;
+    double depth = 0;
+  };
+  struct Near {
+    int part;
+    PartFrame frame;
+  };
+  std::optional<Found> findTissue(const Vec3& point, const std::vector<Near>& near, const CutMesh& mesh,
+                                  const Ties& ties);
 
   double cutting_force_, friction_;  // [N/m], –
   double young_modulus_;             // [Pa]
