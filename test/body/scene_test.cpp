@@ -72,7 +72,8 @@ solver: {time_step: 0.005, method: iterative, tolerance: 1.0e-8, threads: 3, int
 cuts:
   - {time: 0.25, label: first, point: [0.5, 0, 0], normal: [1, 0, 0], tangent: [0, 1, 0], length: 2, width: 3}
 contact: {ground: -0.5, obstacles: room.urdf, friction: 0.7, self: false}
-tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0, 0, 1], [1, 1, 2, 3, 0, 0, 1, 0]]}
+tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0, 0, 1], [1, 1, 2, 3, 0, 0, 1, 0]],
+       frame: knife, max_step: 0.02, timeout: .inf, cutting_force: 40, friction: 0.1, progressive: false}
 )");
   EXPECT_EQ(scene.body.grid->cells, (std::array<int, 3>{16, 4, 2}));
   EXPECT_EQ(scene.body.grid->size, Vec3(1, 0.25, 0.5));
@@ -117,6 +118,12 @@ tool: {link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, 3, 0, 0,
   ASSERT_EQ(scene.tool->poses.size(), 2u);
   EXPECT_EQ(scene.tool->poses[1].time, 1);
   EXPECT_EQ(scene.tool->poses[1].pose.orientation.z(), 1);
+  EXPECT_EQ(scene.tool->frame, "knife");
+  EXPECT_EQ(scene.tool->max_step, 0.02);
+  EXPECT_TRUE(std::isinf(scene.tool->timeout));
+  EXPECT_EQ(scene.tool->cutting_force, 40);
+  EXPECT_EQ(scene.tool->friction, 0.1);
+  EXPECT_FALSE(scene.tool->progressive);
 }
 
 TEST(Scene, WhatIsNotGivenKeepsTheStagesDefault) {
@@ -184,6 +191,10 @@ BadScene inFracture(const std::string& entry, const std::string& key) {
 }
 BadScene inTool(const std::string& entry, const std::string& key) {
   return inScene("tool: {link: blade, " + entry + "}", "tool" + key);
+}
+
+BadScene inKnife(const std::string& entry, const std::string& key) {
+  return inTool("edge: [[0, 0, 0], [0, 0, 1]], " + entry, key);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -266,6 +277,9 @@ INSTANTIATE_TEST_SUITE_P(
         inTool("edge: [[0, 0, 0], [0, 0, 1]], poses: [[0, 0, 0, 0, 0, 0, 1]]", ".poses.0"),
         inTool("edge: [[0, 0, 0], [0, 0, 1]], poses: [[0, 0, 0, 0, 0, 0, 0, 0]]", ".poses.0"),
         inTool("edge: [[0, 0, 0], [0, 0, 1]], poses: [[0, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]", ".poses.1"),
+        inKnife("frame: /knife", ".frame"), inKnife("max_step: 0", ".max_step"), inKnife("timeout: -1", ".timeout"),
+        inKnife("cutting_force: -1", ".cutting_force"), inKnife("cutting_force: .inf", ".cutting_force"),
+        inKnife("friction: 11", ".friction"), inKnife("progressive: 0.5", ".progressive"),
         inScene("tool: {description: a.urdf}", "tool: the key link is missing")));
 
 INSTANTIATE_TEST_SUITE_P(
