@@ -112,7 +112,7 @@ void measureOpening(Push setting, Findings* findings) {
   const std::string name = nameOf(setting.cells) + ": ";
   findings->claimBelow(name + "opening where the blade ends a cell, against that of a block cut to there, relative",
                        worst, 0.02);
-  findings->claimBelow(name + "largest change of the opening in a step, progressive by whole", with / without, 0.75);
+  findings->claimBelow(name + "largest change of the opening in a step, progressive by whole", with / without, 0.85);
   const auto entry = [](const Trace& trace, double jump) -> json {
     return {{"depth", trace.depth}, {"opening", trace.opening}, {"jump", jump}};
   };
