@@ -22,6 +22,7 @@ import time
 import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / 'report' / 'cost'))
 import ros_master  # noqa: E402
@@ -112,8 +113,13 @@ def draw(rows, file):
                          label=f"{row['elements']:,} elements, {name}")
     plt.xlabel('from pose received to wrench published [ms]')
     plt.ylabel('share of the poses below [%]')
+    axis = plt.gca().xaxis
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f'{value:g}'))
+    axis.set_minor_formatter(NullFormatter())
+    plt.xlim(1, 2 * max(row['any']['p99'] for row in rows))
     plt.grid(True, which='both', alpha=0.3)
-    plt.legend(fontsize=8)
+    plt.legend(fontsize=8, loc='upper left')
     plt.tight_layout()
     plt.savefig(file, dpi=100)
 

@@ -25,7 +25,8 @@ def draw_force(data, draw):
     with draw.panels('force', len(data['force']), width=5.6) as panels:
         for axes, of in zip(panels, data['force']):
             for key, name, colour, dash, width in WAYS:
-                axes.plot(millimetres(of[key]['depth']), of[key]['force'], dash, color=colour, linewidth=width, label=name)
+                axes.plot(millimetres(of[key]['depth']), of[key]['force'], dash, color=colour, linewidth=width,
+                          label=name)
             axes.axhline(data['cutting_force'] * thickness, color='0.5', linestyle='--', linewidth=1, zorder=0,
                          label='cutting force × thickness')
             axes.set_ylim(0, 1.45 * data['cutting_force'] * thickness)
@@ -60,7 +61,8 @@ def force_table(data):
     for of in data['force']:
         for key, name in (('without', 'whole'), ('with', 'progressive')):
             one = of[key]
-            rows.append([mesh_name(of['cells'], data), name, f"{one['mean']:.3f} N ({100 * (one['mean'] / wanted - 1):+.1f} %)",
+            rows.append([mesh_name(of['cells'], data), name,
+                         f"{one['mean']:.3f} N, {percent(one['mean'] / wanted)} of F_c × thickness",
                          percent(one['ripple']), percent(one['jump']), f"{one['work']:.1f} J/m²"])
     return table(['mesh', 'elements are cut', 'mean force', 'ripple', 'largest change in a step', 'work by area'], rows)
 
@@ -78,16 +80,18 @@ def opening_table(data):
 def render(data, draw):
     length, height, thickness = (1e3 * side for side in data['block'])
     elastic = 1e3 * data['cutting_force'] / data['young_modulus']
-    ripples = [(of['without']['ripple'], of['with']['ripple']) for of in data['force']]
-    return f'''A block of {length:.0f} × {height:.0f} × {thickness:.0f} mm (E = {data['young_modulus']:.0e} Pa, ν = 0.3) is held at
-one end. A blade whose edge goes through the whole thickness is pushed slowly into the other end, half-way up, by
-{1e3 * data['stride']:g} mm a step. The grids have an odd count of cells over the height, so that no cell ends where the
-cut runs: the blade goes through elements.
+    smooth = max(of['with']['ripple'] for of in data['force'])
+    rough = min(of['without']['ripple'] for of in data['force'])
+    resolutions = ', '.join(f"{percent(of['resolution'])} with {mesh_name(of['cells'], data)}" for of in data['force'])
+    return f'''A block of {length:.0f} × {height:.0f} × {thickness:.0f} mm (E = {data['young_modulus'] / 1e3:g} kPa, ν = 0.3)
+is held at one end. A blade whose edge goes through the whole thickness is pushed slowly into the other end, half-way up,
+by {1e3 * data['stride']:g} mm a step. The grids have an odd count of cells over the height, so that the cut runs in the
+middle of cells: the blade goes through elements.
 
-**Force.** The cutting force is F_c = {data['cutting_force']:g} N/m. The tissue first gives way by about the elastic length
-F_c / E = {elastic:g} mm and more, then it is cut. From then on the force must be F_c × thickness =
-{data['cutting_force'] * data['block'][2]:g} N, and the work F_c times what is cut. Both are taken from a depth of
-{1e3 * data['steady']:.0f} mm on. Ripple is the standard deviation over the mean, as is the largest change in a step.
+**Force.** The cutting force is F_c = {data['cutting_force']:g} N/m, the elastic length F_c / E = {elastic:g} mm: the
+tissue first gives way by some of these, then it is cut. From then on the force must be F_c × thickness =
+{data['cutting_force'] * data['block'][2]:g} N, and the work F_c times what is cut. The figures are of depths beyond
+{1e3 * data['steady']:.0f} mm. Ripple is the standard deviation, by the mean; so is the largest change in a step.
 
 {draw_force(data, draw)}
 
@@ -103,12 +107,12 @@ rectangle has cut to whole cells, at rest, on the same mesh and on a finer one.
 
 What follows:
 
-- **Leave `tool.progressive` on where the force is felt.** With it the ripple is {percent(max(r[1] for r in ripples))} at most;
-  with elements cut whole it is {percent(min(r[0] for r in ripples), 0)} or more. An element cut whole leaves nothing ahead of
-  the blade to resist it, and the force falls away until the blade comes to the next one.
-- **The mean force is F_c × thickness on any mesh**, but for the ends of the edge: it resists at eight points an element,
-  so the force is off by up to an eighth of an element over the thickness
-  ({', '.join(f"{percent(of['resolution'])} with {mesh_name(of['cells'], data)}" for of in data['force'])}).
+- **Leave `tool.progressive` on where the force is felt.** With it the ripple is {percent(smooth)} at most, with
+  elements cut whole {percent(rough, 0)} or more: such an element leaves nothing before the blade that resists, and the
+  force falls until the blade has come to the next one.
+- **The mean force is F_c × thickness**, but for the ends of the edge: it resists at eight points an element, so where
+  it comes out of the tissue the force is off by up to an eighth of an element by the thickness ({resolutions}).
+  And what resists is looked for a fifth of an element before the edge, so the force begins that much before the face.
 - **The opening goes through the same values at the ends of the cells**, which are those of the mesh: a coarser one is
   stiffer. In between, progressive opening makes of each stair a slope. It is steep where the blade enters an element,
   as what holds its sides together soon softens, so the largest change in a step is smaller, but not small.'''
