@@ -84,9 +84,9 @@ def render(data, draw):
     rough = min(of['without']['ripple'] for of in data['force'])
     resolutions = ', '.join(f"{percent(of['resolution'])} with {mesh_name(of['cells'], data)}" for of in data['force'])
     return f'''A block of {length:.0f} × {height:.0f} × {thickness:.0f} mm (E = {data['young_modulus'] / 1e3:g} kPa, ν = 0.3)
-is held at one end. A blade whose edge goes through the whole thickness is pushed slowly into the other end, half-way up,
-by {1e3 * data['stride']:g} mm a step. The grids have an odd count of cells over the height, so that the cut runs in the
-middle of cells: the blade goes through elements.
+is held at one end. A blade whose edge goes through the whole thickness is pushed slowly into the other end, half-way
+up, by {1e3 * data['stride']:g} mm a step. The grids have an odd count of cells over the height, so that the cut runs
+in the middle of cells: the blade goes through elements.
 
 **Force.** The cutting force is F_c = {data['cutting_force']:g} N/m, the elastic length F_c / E = {elastic:g} mm: the
 tissue first gives way by some of these, then it is cut. From then on the force must be F_c × thickness =
