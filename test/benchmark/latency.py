@@ -95,11 +95,13 @@ def measure(cells, seconds):
         sys.exit(f'latency.py: only {len(states)} steps followed a pose in the tissue')
     newest = [1e3 * state.tool_latency for state in states]
     between = [1e3 * (b.header.stamp - a.header.stamp).to_sec() for a, b in zip(states, states[1:])]
+    cutting = [b.step_ms for a, b in zip(states, states[1:]) if b.parts > a.parts]
     older = [latency + (k + 0.5) / SHARES * pause for latency, pause in zip(newest[1:], between) for k in range(SHARES)]
     return {'elements': states[0].elements, 'crack_elements': states[-1].crack_elements, 'steps': len(states),
             'newest_ms': newest, 'any_ms': [percentile(older, k / 500) for k in range(501)],
             'newest': summary(newest), 'any': summary(older),
             'computing': summary([state.step_ms for state in states]),
+            'cutting': summary(cutting),
             'waiting': summary([max(0, latency - state.step_ms) for latency, state in zip(newest, states)]),
             'between': summary(between)}
 
@@ -125,9 +127,9 @@ def draw(rows, file):
 
 
 def print_table(rows):
-    keys = ('newest', 'any', 'waiting', 'computing', 'between')
+    keys = ('newest', 'any', 'waiting', 'computing', 'cutting', 'between')
     print('| elements | steps | newest pose: median, p99 ms | any pose | of the newest: waiting for the step '
-          '| computing | from step to step |\n' + '|---' * 7 + '|')
+          '| computing | the same where an element is cut | from step to step |\n' + '|---' * 8 + '|')
     for row in rows:
         cells = [f"{row[key]['median']:.2f}, {row[key]['p99']:.2f}" for key in keys]
         print(f"| {row['elements']:,} | {row['steps']} | " + ' | '.join(cells) + ' |')
