@@ -119,9 +119,9 @@ def draw(rows, file):
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f'{value:g}'))
     axis.set_minor_formatter(NullFormatter())
-    plt.xlim(1, 2 * max(row['any']['p99'] for row in rows))
+    plt.xlim(1, 4 * max(row['any']['p99'] for row in rows))
     plt.grid(True, which='both', alpha=0.3)
-    plt.legend(fontsize=8, loc='upper left')
+    plt.legend(fontsize=8, loc='lower right')
     plt.tight_layout()
     plt.savefig(file, dpi=100)
 
