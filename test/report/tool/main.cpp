@@ -38,6 +38,13 @@ Steady steadyOf(const Trace& trace) {
   return steady;
 }
 
+/// The largest before the blade has come to the face [N].
+double forceBefore(const Trace& trace) {
+  double largest = 0;
+  for (std::size_t k = 0; trace.depth[k] <= 0; ++k) largest = std::max(largest, std::abs(trace.force[k]));
+  return largest;
+}
+
 double largestStep(const std::vector<double>& values) {
   double largest = 0;
   for (std::size_t k = 1; k < values.size(); ++k) largest = std::max(largest, std::abs(values[k] - values[k - 1]));
@@ -79,6 +86,8 @@ double measureForce(Push setting, Findings* findings) {
                        resolution);
   findings->claimBelow(name + "work by area against F_c, relative", std::abs(with.work / CUTTING_FORCE - 1),
                        resolution);
+  findings->claimBelow(name + "force before the blade is at the face, by the mean", forceBefore(pair.with) / with.mean,
+                       0.01);
   findings->claimBelow(name + "ripple of the force, progressive by whole", with.ripple / without.ripple, 0.25);
   findings->claimBelow(name + "largest change of the force in a step, progressive by whole", with.jump / without.jump,
                        0.25);

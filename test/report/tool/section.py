@@ -111,8 +111,8 @@ What follows:
   elements cut whole {percent(rough, 0)} or more: such an element leaves nothing before the blade that resists, and the
   force falls until the blade has come to the next one.
 - **The mean force is F_c × thickness**, but for the ends of the edge: it resists at eight points an element, so where
-  it comes out of the tissue the force is off by up to an eighth of an element by the thickness ({resolutions}).
-  And what resists is looked for a fifth of an element before the edge, so the force begins that much before the face.
+  it comes out of the tissue the force is off by up to an eighth of an element by the thickness
+  ({resolutions}).
 - **The opening goes through the same values at the ends of the cells**, which are those of the mesh: a coarser one is
   stiffer. In between, progressive opening makes of each stair a slope. It is steep where the blade enters an element,
   as what holds its sides together soon softens, so the largest change in a step is smaller, but not small.'''
