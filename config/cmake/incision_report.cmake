@@ -10,7 +10,7 @@ target_link_libraries(incision_findings PUBLIC nlohmann_json::nlohmann_json)
 
 set(report_folder "${CMAKE_BINARY_DIR}/report")
 file(MAKE_DIRECTORY "${report_folder}/data")
-set(report_sections static calculix locking dynamic stability cost)
+set(report_sections static calculix locking dynamic stability tool cost)
 
 # Where measure.py finds the programs, and what functions a stage has.
 set(report_environment

@@ -1,19 +1,20 @@
 #!/bin/bash
-# Installs what is missing, builds the benchmarks, runs them, draws the plot and prints the tables. See usage below.
+# Installs what is missing, builds the benchmarks, runs them, draws the plots and prints the tables. See usage below.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../launch/setup.sh"
 
 usage() {
   echo "usage: test/benchmark/run.sh [--quick] [--large]"
-  echo "  --quick  a few minutes: fewer steps, no other programs at 98,304 elements, the plot stays in the build folder"
+  echo "  --quick  a few minutes: fewer steps, no other programs at 98,304 elements, the plots stay in the build folder"
   echo "  --large  also a million elements"
 }
 
 folder="$BUILD/benchmark"
-picture="$ROOT/config/pictures/step_times.png"
+pictures="$ROOT/config/pictures"
+quick=()
 for argument in "$@"; do
   case $argument in
-    --quick) picture="$folder/step_times.png" ;;
+    --quick) quick=(--quick) pictures="$folder" ;;
     --large) ;;
     -h | --help) usage && exit ;;
     *) usage >&2 && exit 2 ;;
@@ -26,4 +27,10 @@ compile "$folder" benchmarks
 
 "$folder/kernels_benchmark"
 "$folder/step_benchmark" "$@" --json "$folder/steps.json"
-"$ROOT/test/benchmark/plot_steps.py" "$folder/steps.json" "$picture"
+"$ROOT/test/benchmark/plot_steps.py" "$folder/steps.json" "$pictures/step_times.png"
+
+# The node's part.
+configure "$BUILD" -DCATKIN_ENABLE_TESTING=ON "-DINCISION_WERROR=${INCISION_WERROR:-OFF}"
+compile "$BUILD" incision_node incision_scalpel
+enter_ros
+"$ROOT/test/benchmark/latency.py" "${quick[@]}" "$folder/latency.json" "$pictures/tool_latency.png"
