@@ -101,7 +101,11 @@ void Ties::topologyChanged(const CutMesh& mesh) {
 void Ties::begin(const CutMesh& mesh, const std::vector<Vec3>& x) {
   for (Tie& tie : ties_) {
     const Part &plus = mesh.parts()[tie.section.plus], &minus = mesh.parts()[tie.section.minus];
-    const double s = std::max(tie.share(), FIRST_SHARE);
+    int apart = 0;
+    for (int I = 0; I < 4; ++I) apart += plus.copies[I] != minus.copies[I];
+    if (apart > tie.apart) tie.from = tie.share();
+    tie.apart = apart;
+    const double s = std::max((tie.share() - tie.from) / (1 - tie.from), FIRST_SHARE);
     const double stiffness = tie.steepness * (1 - s) / s * (1 - s) * tie.area / 3;
     for (int k = 0; k < 3; ++k) {
       Coupling& coupling = tie.couplings[k];

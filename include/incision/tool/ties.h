@@ -20,7 +20,8 @@ inline constexpr double LAST_SHARE = 0.95;
 /// What holds together the two faces of a stroke's crack in elements that the blade has entered and not left: per area
 /// that it has not swept the stiffness κ = κ₀ (1 − s)/s, s being the swept share of the element's section. So nothing
 /// jumps when the blade enters or leaves an element: κ is infinite at s = 0 and vanishes at s = 1. It stands for the
-/// element's own stiffness across the crack, κ₀ = E/h for an element of size h.
+/// element's own stiffness across the crack, κ₀ = E/h for an element of size h. Where uncut neighbours still hold its
+/// faces together at a node, they cannot open there; so s counts from when the last node that came apart did.
 class Ties {
  public:
   /// `young_modulus` [Pa]. Without `progressive` nothing is held.
@@ -80,6 +81,8 @@ class Ties {
     std::array<Barycentric, 3> holds;   // where `left` is held: with its mean and moments
     std::array<Coupling, 3> couplings;  // of the step
     bool changed = true;                // `left`, since `holds` was found
+    int apart = 0;                      // nodes at which the two sides have copies of their own,
+    double from = 0;                    // and the swept share when the last of them came apart
     double share() const { return 1 - static_cast<double>(left.size()) / static_cast<double>(count); }
   };
   void addSection(int crack, int part, const CutMesh& mesh);
