@@ -29,10 +29,8 @@ inline TetMesh gradedBlock(int cells) {
 /// The disc z = 0, r < radius, of copies at `x`.
 inline CrackField disc(double radius, const CutMesh& mesh, const std::vector<Vec3>& x) {
   CrackField field = planeField(plane(Vec3::Zero(), Vec3::UnitZ()), mesh, x);
-  field.contains = [&mesh, &x, radius](int part, const Barycentric& point) {
-    Vec3 y = Vec3::Zero();
-    for (int I = 0; I < 4; ++I) y += point[I] * x[mesh.parts()[part].copies[I]];
-    return y.head<2>().norm() < radius;
+  field.contains = [&mesh, &x, radius](int part, const std::vector<Barycentric>& polygon) {
+    return at(mesh.parts()[part], polygonCentroid(polygon), x).head<2>().norm() < radius;
   };
   return field;
 }

@@ -296,7 +296,7 @@ TEST(Surface, OfOneElementCutAHundredTimesIsClosed) {
   for (int i = 1; i <= 100; ++i) {
     const PlaneCut slice = plane(Vec3(i / 101.0, 0, 0), Vec3(1, 0.2, 0));
     CrackField crack = planeField(slice, body.mesh, body.x);
-    crack.contains = [&](int part, const Barycentric&) { return body.mesh.parts()[part].element == 2; };
+    crack.contains = [&](int part, const auto&) { return body.mesh.parts()[part].element == 2; };
     body.mesh.insert(crack);
     body.addNewCopies();
   }
