@@ -26,6 +26,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / 'report' / 'cost'))
 import ros_master  # noqa: E402
+import roslib.packages  # noqa: E402
 import rospy  # noqa: E402
 from incision.msg import BodyState  # noqa: E402
 
@@ -60,7 +61,8 @@ def path():
 def running(program, name, parameters, remapped=()):
     for key, value in parameters.items():
         rospy.set_param(f'/{name}/{key}', value)
-    process = subprocess.Popen(['rosrun', 'incision', program, f'__name:={name}', *remapped], stdout=subprocess.DEVNULL)
+    executable = roslib.packages.find_node('incision', program)[0]  # rosrun overlooks what lies in build/ of the sources
+    process = subprocess.Popen([executable, f'__name:={name}', *remapped], stdout=subprocess.DEVNULL)
     try:
         yield
     finally:
