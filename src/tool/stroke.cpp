@@ -15,6 +15,10 @@ constexpr std::size_t MAX_TRIANGLES = 128;
 /// itself just misses.
 constexpr double MARGIN = 0.5;
 
+/// The same for what frees an element that is cut: on a path that curves within two elements the blade is beside the
+/// far end of the crack in one when it is well into the next.
+constexpr double FREEING_MARGIN = 1;
+
 /// How far the edge must move through the tissue, in edges of the mesh, to be followed: tissue that trembles round a
 /// blade at rest is not cut, and a slow blade cuts in as many pieces as matter.
 constexpr double MIN_MOTION = 0.01;
@@ -99,13 +103,13 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mes
   last_x_ = x;
   if (passed_.empty()) return {};
   keepTriangles(*mesh);
-  ties->sweep(just_swept_);
+  ties->sweep(just_swept_, crack_);
   findHeadings(*mesh);
   if (crossesItself(to, x, *mesh)) {
     crack_ = -1;
     distances_.clear();
-    swept_.clear();
-    keepTriangles(*mesh);
+    ways_.clear();
+    findHeadings(*mesh);
   }
   measure(to, x, *mesh);
   CrackField crack = field(*mesh);
@@ -127,6 +131,7 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mes
 /// has no gaps however the tissue moves under the blade. Returns false where the edge has hardly moved in any.
 bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
   passed_.clear();
+  beside_.clear();
   const Vec3 direction = (to[1] - to[0]).normalized();
   const double least = MIN_SWEEP * (to[1] - to[0]).norm();
   Eigen::AlignedBox3d reach;
@@ -136,14 +141,21 @@ bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& m
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const Part& part = mesh.parts()[p];
     const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, last_x_));
-    const Vec3 room = MARGIN * box.sizes();
-    if (!reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room))) continue;
+    const auto meets = [&](double margin) {
+      const Vec3 room = margin * box.sizes();
+      return reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room));
+    };
+    if (!meets(part.detail >= 0 ? FREEING_MARGIN : MARGIN)) continue;
     const PartFrame was(part, last_x_), is(part, x);
     if (!was.invertible() || !is.invertible()) continue;
     Passed passed;
     passed.part = static_cast<int>(p);
     passed.corners = {was.toElement(from_[0]), was.toElement(from_[1]), is.toElement(to[1]), is.toElement(to[0])};
-    if (outside(passed.corners, MARGIN)) continue;
+    if (outside(passed.corners, FREEING_MARGIN)) continue;
+    if (!meets(MARGIN) || outside(passed.corners, MARGIN)) {
+      if (part.detail >= 0) beside_.push_back(passed);
+      continue;
+    }
     const Edge carried = {is.toBody(passed.corners[0]), is.toBody(passed.corners[1])};
     near = true;
     moved = moved ||
@@ -161,16 +173,19 @@ bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& m
 
 void Stroke::keepTriangles(const CutMesh& mesh) {
   just_swept_.clear();
-  for (const Passed& passed : passed_) {
-    const int element = mesh.parts()[passed.part].element;
+  const auto keep = [&](const Passed& passed) {
     const std::array<Barycentric, 4>& c = passed.corners;
+    std::vector<SweptTriangle>& triangles = just_swept_[mesh.parts()[passed.part].element];
+    triangles.push_back({c[0], c[1], c[2]});
+    triangles.push_back({c[0], c[2], c[3]});
+  };
+  for (const Passed& passed : passed_) keep(passed);
+  for (const auto& [element, triangles] : just_swept_) {
     std::deque<SweptTriangle>& kept = swept_[element];
-    for (const SweptTriangle& triangle : {SweptTriangle{c[0], c[1], c[2]}, SweptTriangle{c[0], c[2], c[3]}}) {
-      just_swept_[element].push_back(triangle);
-      kept.push_back(triangle);
-    }
+    kept.insert(kept.end(), triangles.begin(), triangles.end());
     while (kept.size() > MAX_TRIANGLES) kept.pop_front();
   }
+  for (const Passed& passed : beside_) keep(passed);
 }
 
 /// The crack's normal at the copies passed, from the sweeps round them over the last half edge. Normals add up as

@@ -8,8 +8,8 @@
 namespace incision {
 namespace {
 
-/// How far from a section's plane, in elements, a sweep still frees it: as far as a crack that is one plane in each
-/// element strays from a curved path.
+/// How far from a section's plane, in elements, the sweep of another crack still frees it. That of its own does wherever
+/// it passes the element: a crack that is one plane in each element strays from a curved path.
 constexpr double REACH = 0.5;
 
 /// How near to a point, in elements, one that is not swept has to be: two spacings of the points of a section.
@@ -40,14 +40,14 @@ void Ties::addSection(int crack, int part, const CutMesh& mesh) {
 }
 
 /// Takes out the points that the triangle lies behind or before, seen along the normal.
-void Ties::mark(const SweptTriangle& triangle, Tie* tie) {
+void Ties::mark(const SweptTriangle& triangle, bool own, Tie* tie) {
   const Vec3 across = gradient(tie->distance);
   const Vec3 normal = (triangle[1] - triangle[0]).tail<3>().cross((triangle[2] - triangle[0]).tail<3>());
   const auto swept = std::remove_if(tie->left.begin(), tie->left.end(), [&](const Barycentric& point) {
     if (!isBehind(triangle, point, across)) return false;
     // point + t across lies in the triangle, and away by t |across|².
     const double t = normal.dot((triangle[0] - point).tail<3>()) / normal.dot(across);
-    return std::abs(t) * across.squaredNorm() < REACH * tie->size;
+    return own || std::abs(t) * across.squaredNorm() < REACH * tie->size;
   });
   if (swept == tie->left.end()) return;
   area_ += tie->area * static_cast<double>(tie->left.end() - swept) / static_cast<double>(tie->count);
@@ -55,10 +55,10 @@ void Ties::mark(const SweptTriangle& triangle, Tie* tie) {
   tie->changed = true;
 }
 
-void Ties::sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept) {
+void Ties::sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, int crack) {
   for (Tie& tie : ties_)
     if (const auto found = swept.find(tie.section.element); found != swept.end())
-      for (const SweptTriangle& triangle : found->second) mark(triangle, &tie);
+      for (const SweptTriangle& triangle : found->second) mark(triangle, tie.section.crack == crack, &tie);
   update();
 }
 

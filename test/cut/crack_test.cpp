@@ -64,7 +64,7 @@ TEST(PlaneField, LengthGoesAlongTheTangentAndWidthAcross) {
       Barycentric b;
       b.tail<3>() = D.inverse() * (X - body.mesh.mesh().nodes[nodes[0]]);
       b[0] = 1 - b.tail<3>().sum();
-      if (b.minCoeff() >= -1e-12) return field.contains(p, b);
+      if (b.minCoeff() >= -1e-12) return field.contains(p, {b, b, b});
     }
     ADD_FAILURE() << "outside the body";
     return false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "incision/cut/section.h"
 #include "support/rig.h"
 
 namespace incision {

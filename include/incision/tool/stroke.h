@@ -42,9 +42,9 @@ class Stroke {
   /// A part that the current sweep passes.
   struct Passed {
     int part;
-    bool within;                         // not only near
+    bool within = false;                 // not only near
     std::array<Barycentric, 4> corners;  // of the sweep, in the element
-    Vec3 normal;                         // of the sweep there, as long as the edge moved [m]
+    Vec3 normal = Vec3::Zero();          // of the sweep there, as long as the edge moved [m]
   };
 
   bool record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
@@ -69,7 +69,7 @@ class Stroke {
   std::unordered_map<int, Distance> distances_;                     // of the copies of parts the sweep has passed
   std::unordered_map<int, std::deque<SweptTriangle>> swept_;        // so far, in each element it met,
   std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;  // and in the current sweep
-  std::vector<Passed> passed_;
+  std::vector<Passed> passed_, beside_;  // parts that the current sweep passes, and cut ones that it passes farther off
 };
 
 }  // namespace incision

@@ -37,12 +37,12 @@ class Ties {
     for (int p : done.parts) addSection(done.crack, p, mesh);
     for (std::size_t t = first; t < ties_.size(); ++t)
       if (const auto found = swept.find(ties_[t].section.element); found != swept.end())
-        for (const SweptTriangle& triangle : found->second) mark(triangle, &ties_[t]);
+        for (const SweptTriangle& triangle : found->second) mark(triangle, true, &ties_[t]);
     update();
   }
 
-  /// An edge has swept triangles in some elements.
-  void sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept);
+  /// An edge has swept triangles in some elements, on behalf of a crack; −1: none yet.
+  void sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, int crack);
 
   /// After every change of the mesh.
   void topologyChanged(const CutMesh& mesh);
@@ -86,7 +86,7 @@ class Ties {
     double share() const { return 1 - static_cast<double>(left.size()) / static_cast<double>(count); }
   };
   void addSection(int crack, int part, const CutMesh& mesh);
-  void mark(const SweptTriangle& triangle, Tie* tie);
+  void mark(const SweptTriangle& triangle, bool own, Tie* tie);
   void update();
   static void hold(Tie* tie);
 
