@@ -33,6 +33,35 @@ TEST(StrokePieces, AClosedLoopFreesItsPlugWhereElementsAreCutWhole) {
   EXPECT_NEAR(sum(volumes), 0.125, 1e-12);
 }
 
+// Progressive cuts take the direction of each element where the blade enters it, so elements have to be smaller beside
+// the path's radius: here two and a half. Over an element's diagonal d² = 2 h² the circle leaves that by d²/2r.
+TEST(StrokePieces, AClosedLoopFreesItsPlug) {
+  const Scene scene = plateAndBlade(16);
+  for (const int moves : {40, 150}) {
+    DeformableBody body(scene, loadMesh(scene));
+    draw(&body, circle(1.15, moves), 200);  // in one step
+    body.step();
+    const std::vector<double> volumes = body.pieceVolumes();
+    ASSERT_EQ(volumes.size(), 2u) << moves;
+    const double plug = M_PI * 0.15 * 0.15 * 0.25, stray = cellOf(scene) * cellOf(scene) / 0.15;
+    EXPECT_NEAR(volumes[0], plug, stray * 2 * M_PI * 0.15 * 0.25);
+  }
+}
+
+TEST(StrokePieces, ASharpCornerFreesTheCornerOfThePlate) {
+  const Scene scene = plateAndBlade(8);
+  for (const int moves : {24, 240}) {
+    DeformableBody body(scene, loadMesh(scene));
+    draw(&body, along(moves, [](double s) {
+      return s < 0.5 ? poseAt(0.33, -0.05 + 0.62 * s) : poseAt(0.33 - 0.8 * (s - 0.5), 0.26);
+    }));
+    const std::vector<double> volumes = body.pieceVolumes();
+    ASSERT_EQ(volumes.size(), 2u) << moves;
+    // The corner itself is cut within an element.
+    EXPECT_NEAR(volumes[0], 0.33 * 0.26 * 0.25, cellOf(scene) * cellOf(scene) * 0.25) << moves;
+  }
+}
+
 TEST(StrokePieces, CrossingAnEarlierStrokeMakesFour) {
   const Scene scene = plateAndBlade();
   for (const int moves : {12, 150}) {
