@@ -8,8 +8,8 @@
 namespace incision {
 namespace {
 
-/// How far from a section's plane, in elements, the sweep of another crack still frees it. That of its own does wherever
-/// it passes the element: a crack that is one plane in each element strays from a curved path.
+/// How far from a section's plane, in elements, the sweep of another crack still frees it. That of its own does
+/// wherever it passes the element: a crack that is one plane in each element strays from a curved path.
 constexpr double REACH = 0.5;
 
 /// How near to a point, in elements, one that is not swept has to be: two spacings of the points of a section.
