@@ -46,7 +46,8 @@ struct DeformableBody::State {
   void startTool();
   void sweepTool(StepResult* result);
   ToolReport toolReport() const;
-  std::vector<Vec3> positionsWithin(double share) const;
+  void sweepPath(Pose last);
+  const std::vector<Vec3>& positionsWithin(double share);
   void cutAlong(const Edge& to, const std::vector<Vec3>& x);
   std::optional<CutResult> endStroke();
   void applyDue(StepResult* result);
@@ -85,8 +86,9 @@ struct DeformableBody::State {
   // Where there is a tool:
   std::optional<Ties> ties;
   std::optional<CuttingEdge> cutting;
-  Wrench on_tool;  // in the last step, about the origin of the body's frame
+  Wrench on_tool;  // in the last step, in the frame of its link, with the levers of the start as all forces have
   Acting acting;
+  std::vector<Vec3> x_within;  // positionsWithin a step, kept for its memory
   std::uint64_t topology_version = 0;
   std::uint64_t contact_version = 0;
   mutable Surface surface;

@@ -159,7 +159,7 @@ bool DeformableBody::State::advance(double time, double time_step) {
     return updateCouplings(dt, v_end, couplings);
   };
   if (!(coupled ? step.advance(time, time_step, &motion, couple) : advanceFreely(time, time_step))) return false;
-  on_tool = step.onTool();
+  on_tool = seenFrom(tool.from, step.onTool());
   acceptCouplings(time_step);
   return true;
 }

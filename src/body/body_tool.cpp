@@ -48,7 +48,8 @@ std::optional<Pose> DeformableBody::State::scriptedPose(double at) const {
 void DeformableBody::State::followScript() {
   if (!scene.tool) return;
   if (!tool.pose) tool.pose = scriptedPose(time());
-  if (const std::optional<Pose> pose = scriptedPose(time() + scene.solver.time_step)) guideTool({*pose});
+  if (!tool.pose) return;
+  if (const std::optional<Pose> pose = scriptedPose(time() + scene.solver.time_step)) tool.path.push_back(*pose);
 }
 
 /// Before a step: the tool goes from where it is to the end of its path.
@@ -66,33 +67,38 @@ void DeformableBody::State::startTool() {
 }
 
 /// Where the copies stood at a share of the last step, of which they are at the end [m].
-std::vector<Vec3> DeformableBody::State::positionsWithin(double share) const {
-  std::vector<Vec3> x = motion.x;
+const std::vector<Vec3>& DeformableBody::State::positionsWithin(double share) {
+  if (share == 1) return motion.x;
+  x_within = motion.x;
   const double rest = (1 - share) * scene.solver.time_step;
-  for (std::size_t c = 0; c < x.size(); ++c) x[c] -= rest * motion.v[c];
-  return x;
+  for (std::size_t c = 0; c < x_within.size(); ++c) x_within[c] -= rest * motion.v[c];
+  return x_within;
 }
 
 /// After a step: cuts what the edge has crossed in it.
 void DeformableBody::State::sweepTool(StepResult* result) {
-  const std::vector<Pose> path = std::exchange(tool.path, {});
-  Pose last = *tool.pose;
-  if (!path.empty()) tool.pose = path.back();
-  if (!tool.active) return;
+  const Pose first = *tool.pose;
+  if (!tool.path.empty()) tool.pose = tool.path.back();
+  if (tool.active) sweepPath(first);
+  tool.path.clear();
+  if (!tool.active || !stroke.begun() || touches(placed(edge, *tool.pose), motion.x, mesh)) return;
+  if (const std::optional<CutResult> ended = endStroke()) result->cuts.push_back(*ended);
+}
+
+/// Cuts along the tool's path, from where it was.
+void DeformableBody::State::sweepPath(Pose last) {
+  if (tool.path.empty()) cutAlong(placed(edge, last), motion.x);
+  const double poses = static_cast<double>(tool.path.size());
   double done = 0;
-  if (path.empty()) cutAlong(placed(edge, last), motion.x);
-  for (const Pose& pose : path) {
+  for (const Pose& pose : tool.path) {
     const int sweeps = 1 + static_cast<int>(last.orientation.angularDistance(pose.orientation) / MAX_SWEEP_TURN);
     for (int k = 0; k < sweeps; ++k) {
       const double end = static_cast<double>(k + 1) / sweeps;
-      cutAlong(placed(edge, between(last, pose, end)),
-               positionsWithin((done + end) / static_cast<double>(path.size())));
+      cutAlong(placed(edge, between(last, pose, end)), positionsWithin((done + end) / poses));
     }
     last = pose;
     ++done;
   }
-  if (!stroke.begun() || touches(placed(edge, last), motion.x, mesh)) return;
-  if (const std::optional<CutResult> ended = endStroke()) result->cuts.push_back(*ended);
 }
 
 void DeformableBody::State::cutAlong(const Edge& to, const std::vector<Vec3>& x) {
@@ -116,10 +122,9 @@ void DeformableBody::State::cutAlong(const Edge& to, const std::vector<Vec3>& x)
 ToolReport DeformableBody::State::toolReport() const {
   ToolReport report;
   if (!tool.pose) return report;
-  const Wrench wrench = seenFrom(*tool.pose, on_tool);
-  report.force = wrench.force;
-  report.torque = wrench.torque;
-  report.touching = cutting->inTissue() || !wrench.force.isZero(0);
+  report.force = on_tool.force;
+  report.torque = on_tool.torque;
+  report.touching = cutting->inTissue() || !on_tool.force.isZero(0);
   report.depth = cutting->depth();
   report.stroke_area = stroke_result.status != CutStatus::MISSED ? ties->area() - area_before : last_area;
   return report;

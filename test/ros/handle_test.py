@@ -2,7 +2,6 @@
 """The scalpel and the cut plane that are dragged in rviz; the test stands in for rviz and its user."""
 
 import math
-import subprocess
 import sys
 import time
 import unittest
@@ -12,7 +11,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
 from incision.msg import CutPlane, CutReport
-from incision_client import TIMEOUT, Client, tool_pose
+from incision_client import Client, run_to_its_end, tool_pose
 from std_msgs.msg import Bool
 from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit
 
@@ -124,12 +123,9 @@ class Handle(unittest.TestCase):
 
     def test_bad_parameters_end_the_node(self):
         for said, parameters in BAD.items():
-            rospy.set_param('/bad', parameters)
-            run = subprocess.run([NODE, '__name:=bad'], stderr=subprocess.PIPE, timeout=TIMEOUT, check=False)
-            errors = run.stderr.decode()
-            self.assertEqual(1, run.returncode, errors)
+            status, errors = run_to_its_end(NODE, parameters)
+            self.assertEqual(1, status, errors)
             self.assertIn('/bad: ' + said, errors)
-            rospy.delete_param('/bad')
 
 
 if __name__ == '__main__':

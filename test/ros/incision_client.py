@@ -1,6 +1,7 @@
 """What the tests of the node share: its topics and services, and waiting for what they say."""
 
 import math
+import subprocess
 import threading
 import time
 
@@ -115,6 +116,14 @@ def wait_for(condition, what, timeout=TIMEOUT):
         if time.monotonic() > deadline:
             raise AssertionError(f'waited {timeout} s for {what}')
         time.sleep(0.01)
+
+
+def run_to_its_end(program, parameters):
+    """Starts a node as /bad with these parameters; its exit status, and what it says of errors."""
+    rospy.set_param('/bad', parameters)
+    run = subprocess.run([program, '__name:=bad'], stderr=subprocess.PIPE, timeout=TIMEOUT, check=False)
+    rospy.delete_param('/bad')
+    return run.returncode, run.stderr.decode()
 
 
 def cut_plane(frame='body', stamp=None, label='cut', point=(0, 0, 0), normal=(1, 0, 0), tangent=(0, 0, 0), length=0,

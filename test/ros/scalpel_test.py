@@ -13,7 +13,7 @@ import rospy
 import rostest
 import tf2_ros
 from geometry_msgs.msg import PoseStamped
-from incision_client import wait_for
+from incision_client import run_to_its_end, wait_for
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool
 
@@ -154,12 +154,9 @@ class Scalpel(unittest.TestCase):
 
     def test_bad_parameters_end_the_node(self):
         for said, parameters in BAD.items():
-            rospy.set_param('/bad', {'rate': 100, **parameters})
-            run = subprocess.run([NODE, '__name:=bad'], stderr=subprocess.PIPE, timeout=TIMEOUT, check=False)
-            errors = run.stderr.decode()
-            self.assertEqual(1, run.returncode, errors)
+            status, errors = run_to_its_end(NODE, {'rate': 100, **parameters})
+            self.assertEqual(1, status, errors)
             self.assertIn('/bad: ' + said, errors)
-            rospy.delete_param('/bad')
 
 
 if __name__ == '__main__':

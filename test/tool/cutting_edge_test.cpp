@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/blade.h"
+#include "support/sanitized.h"
 
 namespace incision {
 namespace {
@@ -88,6 +89,7 @@ TEST(CuttingEdge, AdvancesAgainstTheCuttingForceTimesItsLengthInTheTissue) {
 }
 
 TEST(CuttingEdge, TheWorkIsTheAreaTimesTheFractureEnergy) {
+  if (test::SANITIZED) GTEST_SKIP() << "takes minutes under the sanitizers";
   for (const int cells : {3, 5})
     for (const double speed : {0.02, 0.1, 0.5}) {
       Pushed pushed(blockAndEdge(cells));
