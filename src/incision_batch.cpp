@@ -1,7 +1,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "incision/body/batch.h"
+#include "incision/run/batch.h"
 
 int main(int argc, char** argv) {
   const auto stop = [](int signal) {

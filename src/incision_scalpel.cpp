@@ -1,7 +1,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 
-#include "incision/ros/scalpel.h"
+#include "incision/ros/demo/scalpel.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "incision_scalpel");

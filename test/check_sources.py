@@ -8,7 +8,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # In the order in which data flows: a stage may include itself and earlier ones.
-STAGES = ['mesh', 'cut', 'surface', 'fem', 'solver', 'fracture', 'contact', 'tool', 'body', 'ros']
+STAGES = ['base', 'mesh', 'cut', 'surface', 'rigid', 'fem', 'solver', 'contact', 'fracture', 'tool', 'scene', 'body',
+          'run', 'pace', 'ros']
 
 # Libraries whose headers lie in folders and that the core may use. No ROS among them.
 CORE_FOLDERS = {'Eigen', 'console_bridge', 'nlohmann', 'sys', 'urdf_model', 'urdf_parser', 'yaml-cpp'}
@@ -22,17 +23,20 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 def stage_of(path):
     """The stage of a source file; the programs see what their library holds."""
     if path.name == 'incision_batch.cpp':
-        return 'body'
+        return 'run'
     if path.name in ('incision_node.cpp', 'incision_scalpel.cpp', 'incision_handle.cpp'):
         return 'ros'
-    return path.parent.name
+    for root in (ROOT / 'include' / 'incision', ROOT / 'src'):
+        if root in path.parents:
+            return path.relative_to(root).parts[0]
+    return None
 
 
 def include_fault(stage, header):
     """Why a file of this stage may not include this header, or None."""
     folder, _, rest = header.rpartition('/')
     if folder.startswith('incision/'):
-        other = folder[len('incision/'):]
+        other = folder.split('/')[1]
         if other not in STAGES:
             return f'{other} is no stage'
         if STAGES.index(other) > STAGES.index(stage):

@@ -16,7 +16,7 @@ endif()
 
 add_library(incision_v3 ${core_sources})
 incision_compile(incision_v3)
-foreach(property INCLUDE_DIRECTORIES COMPILE_DEFINITIONS LINK_LIBRARIES)
+foreach(property INCLUDE_DIRECTORIES LINK_LIBRARIES)
   get_target_property(value incision ${property})
   set_property(TARGET incision_v3 PROPERTY ${property} "${value}")
 endforeach()

@@ -39,7 +39,7 @@ function(incision_test_program name library)
 endfunction()
 
 function(incision_stage_tests stage library)
-  file(GLOB files CONFIGURE_DEPENDS test/${stage}/*_test.cpp)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS test/${stage}/*_test.cpp)
   file(GLOB full_files CONFIGURE_DEPENDS test/${stage}/*_full_test.cpp)
   file(GLOB alloc_files CONFIGURE_DEPENDS test/${stage}/*_alloc_test.cpp)
   list(REMOVE_ITEM files ${full_files} ${alloc_files})

@@ -1,5 +1,5 @@
 #include "body_state.h"
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 
 namespace incision {
 namespace {

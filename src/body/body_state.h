@@ -5,8 +5,8 @@
 
 #include "incision/body/deformable_body.h"
 #include "incision/solver/backward_difference.h"
-#include "incision/tool/cutting_edge.h"
-#include "incision/tool/stroke.h"
+#include "incision/tool/blade/cutting_edge.h"
+#include "incision/tool/blade/stroke.h"
 
 namespace incision {
 

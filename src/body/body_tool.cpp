@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "body_state.h"
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 
 namespace incision {
 namespace {

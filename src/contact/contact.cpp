@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

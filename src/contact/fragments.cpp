@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

@@ -1,7 +1,7 @@
 #include "incision/contact/obstacles.h"
 
-#include "incision/contact/description.h"
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
+#include "incision/rigid/description.h"
 
 namespace incision {
 

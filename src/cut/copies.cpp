@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

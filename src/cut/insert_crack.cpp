@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "incision/base/input_error.h"
+#include "incision/base/parallel.h"
 #include "incision/cut/cut_mesh.h"
-#include "incision/mesh/input_error.h"
-#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "incision/base/parallel.h"
 #include "incision/fem/rotation.h"
-#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

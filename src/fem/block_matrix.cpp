@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/base/parallel.h"
 #include "incision/cut/section.h"
 #include "incision/fracture/front.h"
 #include "incision/fracture/growth.h"
-#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/base/parallel.h"
 #include "incision/fracture/growth.h"
-#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

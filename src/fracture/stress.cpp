@@ -4,8 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "incision/base/parallel.h"
 #include "incision/fracture/fringe.h"
-#include "incision/mesh/parallel.h"
 
 namespace incision {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_reader.h"
+#include "incision/base/line_reader.h"
 #include "mesh_builder.h"
 
 namespace incision {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 #include "limits.h"
 
 namespace incision {

@@ -6,9 +6,9 @@
 #include <unordered_set>
 #include <vector>
 
+#include "incision/base/line_reader.h"
 #include "incision/mesh/mesh_io.h"
 #include "incision/mesh/tet_mesh.h"
-#include "line_reader.h"
 
 namespace incision {
 

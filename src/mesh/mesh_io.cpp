@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "gmsh_reader.h"
-#include "incision/mesh/input_error.h"
-#include "line_reader.h"
+#include "incision/base/input_error.h"
+#include "incision/base/line_reader.h"
 #include "mesh_builder.h"
 
 namespace incision {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "incision/mesh/input_error.h"
-#include "incision/ros/pacer.h"
+#include "incision/base/input_error.h"
+#include "incision/pace/pacer.h"
 #include "incision/ros/robot_description.h"
 #include "incision/ros/scene_parameter.h"
 

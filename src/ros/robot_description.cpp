@@ -1,7 +1,7 @@
 #include "incision/ros/robot_description.h"
 
-#include "incision/body/read_text.h"
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
+#include "incision/base/read_text.h"
 
 namespace incision {
 

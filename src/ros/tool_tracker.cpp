@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "incision/ros/pose_path.h"
+#include "incision/pace/pose_path.h"
 
 namespace incision {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "incision/body/scene.h"
 #include "incision/ros/conversions.h"
+#include "incision/scene/scene.h"
 
 namespace incision {
 namespace {

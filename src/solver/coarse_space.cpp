@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

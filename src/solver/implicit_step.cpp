@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 #include "incision/solver/direct_solver.h"
 
 namespace incision {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 #include "incision/surface/exposed.h"
 #include "incision/surface/gaps.h"
 #include "incision/surface/mesh_points.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "incision/contact/description.h"
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
+#include "incision/rigid/description.h"
 
 namespace incision {
 

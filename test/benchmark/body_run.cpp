@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "incision/body/run_summary.h"
+#include "incision/run/run_summary.h"
 
 namespace incision::bench {
 namespace {

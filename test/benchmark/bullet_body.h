@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "incision/body/scene.h"
+#include "incision/scene/scene.h"
 
 namespace incision::bench {
 

@@ -13,9 +13,9 @@
 
 #include "benchmark/bent_bar.h"
 #include "benchmark/triad.h"
+#include "incision/base/parallel.h"
 #include "incision/contact/fragments.h"
 #include "incision/fem/rotation.h"
-#include "incision/mesh/parallel.h"
 #include "incision/solver/coarse_space.h"
 #include "incision/solver/direct_solver.h"
 #include "incision/solver/implicit_step.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "incision/body/scene.h"
+#include "incision/scene/scene.h"
 
 namespace incision::bench {
 

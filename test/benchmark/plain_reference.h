@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "incision/body/scene.h"
+#include "incision/scene/scene.h"
 
 namespace incision::bench {
 

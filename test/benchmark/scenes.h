@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "incision/body/scene.h"
+#include "incision/scene/scene.h"
 
 namespace incision::bench {
 

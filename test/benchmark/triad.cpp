@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "incision/mesh/parallel.h"
+#include "incision/base/parallel.h"
 
 namespace incision::bench {
 namespace {

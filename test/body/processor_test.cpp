@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "incision/body/batch.h"
+#include "incision/run/batch.h"
 
 #ifdef INCISION_V3
 

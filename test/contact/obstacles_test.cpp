@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 
 namespace incision {
 namespace {

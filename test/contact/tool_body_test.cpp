@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 #include "support/tool_rig.h"
 
 namespace incision {

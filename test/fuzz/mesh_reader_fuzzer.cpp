@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 #include "incision/mesh/mesh_io.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "incision/body/scene.h"
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
+#include "incision/scene/scene.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "incision/base/input_error.h"
 #include "incision/contact/obstacles.h"
-#include "incision/mesh/input_error.h"
 #include "incision/tool/blade.h"
 
 namespace {

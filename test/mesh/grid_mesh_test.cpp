@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 
 namespace incision {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 
 namespace incision {
 namespace {

@@ -1,10 +1,9 @@
-#include "incision/solver/wrench.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
+#include "incision/solver/coupling.h"
 #include "support/rig.h"
 
 namespace incision {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
 
 namespace incision {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "incision/body/scene.h"
 #include "incision/contact/contact.h"
 #include "incision/fracture/cohesion.h"
 #include "incision/fracture/growth.h"
+#include "incision/scene/scene.h"
 #include "incision/surface/surface.h"
 
 namespace incision {

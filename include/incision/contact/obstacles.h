@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "incision/contact/pose.h"
 #include "incision/contact/settings.h"
-#include "incision/contact/shape.h"
+#include "incision/rigid/pose.h"
+#include "incision/rigid/shape.h"
 
 namespace incision {
 

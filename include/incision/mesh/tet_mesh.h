@@ -1,16 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <vector>
 
-#include "incision/mesh/input_error.h"
+#include "incision/base/input_error.h"
+#include "incision/base/vec.h"
 
 namespace incision {
-
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
 
 /// The mesh as read; it never changes after loading.
 struct TetMesh {

@@ -9,11 +9,11 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include "incision/ros/agenda.h"
+#include "incision/pace/agenda.h"
+#include "incision/pace/wakeup.h"
 #include "incision/ros/parameters.h"
 #include "incision/ros/reporter.h"
 #include "incision/ros/transform_queue.h"
-#include "incision/ros/wakeup.h"
 
 namespace incision {
 

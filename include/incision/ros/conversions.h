@@ -10,7 +10,7 @@
 #include <incision/CutReport.h>
 
 #include "incision/body/deformable_body.h"
-#include "incision/ros/command.h"
+#include "incision/pace/command.h"
 
 namespace incision {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "incision/contact/pose.h"
-#include "incision/ros/command.h"
+#include "incision/pace/command.h"
+#include "incision/rigid/pose.h"
 
 namespace incision {
 

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "incision/body/deformable_body.h"
+#include "incision/pace/wakeup.h"
 #include "incision/ros/markers.h"
-#include "incision/ros/wakeup.h"
 
 namespace incision {
 

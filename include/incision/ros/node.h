@@ -4,12 +4,12 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include "incision/pace/pacer.h"
+#include "incision/pace/real_time_factor.h"
+#include "incision/pace/stepping_tasks.h"
 #include "incision/ros/command_input.h"
 #include "incision/ros/marker_publisher.h"
 #include "incision/ros/obstacle_tracker.h"
-#include "incision/ros/pacer.h"
-#include "incision/ros/real_time_factor.h"
-#include "incision/ros/stepping_tasks.h"
 #include "incision/ros/tool_driver.h"
 
 namespace incision {

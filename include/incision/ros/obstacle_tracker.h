@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "incision/contact/obstacles.h"
-#include "incision/ros/approach.h"
+#include "incision/pace/approach.h"
 #include "incision/ros/link_lookup.h"
 
 namespace incision {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "incision/body/yaml_reader.h"
-#include "incision/contact/pose.h"
+#include "incision/base/yaml_reader.h"
+#include "incision/rigid/pose.h"
 
 namespace incision {
 

@@ -9,7 +9,7 @@
 #include <atomic>
 
 #include "incision/body/deformable_body.h"
-#include "incision/ros/command.h"
+#include "incision/pace/command.h"
 
 namespace incision {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "incision/body/scene.h"
+#include "incision/scene/scene.h"
 
 namespace incision {
 

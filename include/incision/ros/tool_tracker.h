@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "incision/ros/agenda.h"
-#include "incision/ros/approach.h"
+#include "incision/pace/agenda.h"
+#include "incision/pace/approach.h"
 #include "incision/tool/blade.h"
 
 namespace incision {

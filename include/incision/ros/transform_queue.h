@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "incision/ros/command.h"
+#include "incision/pace/command.h"
 
 namespace incision {
 

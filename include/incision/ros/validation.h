@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "incision/ros/command.h"
+#include "incision/pace/command.h"
 
 namespace incision {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "incision/mesh/tet_mesh.h"
+#include "incision/rigid/wrench.h"
 
 namespace incision {
 
@@ -38,5 +39,11 @@ Vec3 impulseOf(const Coupling& coupling, double time_step, const std::vector<Vec
 /// Adds Δt times the forces [N s] of the couplings at the velocities `v_end` at the end of the step.
 void addImpulses(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& v_end,
                  std::vector<Vec3>* impulses);
+
+/// What the body does to the tool, on the mean of a step of `time_step` [s]: against the forces of the couplings marked
+/// so, about the origin of the body's frame. Each acts where its copies are at the step's start, at `x` [m]: by that
+/// lever it changes Σ x × m v from the step's start to its end. `v_end` are the velocities at the end [m/s].
+Wrench toolWrench(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& x,
+                  const std::vector<Vec3>& v_end);
 
 }  // namespace incision

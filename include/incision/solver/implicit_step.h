@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "incision/fem/boundary.h"
+#include "incision/solver/coupling.h"
 #include "incision/solver/linear_solver.h"
-#include "incision/solver/wrench.h"
 
 namespace incision {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "incision/contact/pose.h"
+#include "incision/rigid/pose.h"
 
 namespace incision {
 

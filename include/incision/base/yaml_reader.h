@@ -1,0 +1,100 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incision/base/vec.h"
+
+namespace incision {
+
+/// Which finite numbers are allowed; the ends belong to it.
+struct Range {
+  double min = std::numeric_limits<double>::lowest();
+  double max = std::numeric_limits<double>::max();
+};
+
+/// The smallest number above zero: `{ABOVE_ZERO}` allows all positive numbers.
+inline constexpr double ABOVE_ZERO = std::numeric_limits<double>::min();
+
+class YamlMap;
+
+/// A value in a YAML tree together with its source and key. Every reader checks type and range and throws InputError
+/// "source: key: value (allowed: …)".
+class YamlValue {
+ public:
+  YamlValue(const YAML::Node& node, std::string source, std::string key = "");
+
+  /// A scalar that reads as a number, quoted or not, since rosparam delivers `1e6` as text.
+  double number(const Range& range = {}) const;
+  /// The same, or .inf.
+  double numberOrInfinity(const Range& range) const;
+  int integer(int min, int max) const;
+  bool boolean() const;
+  /// At least one byte, at most `max_bytes`, and no control characters.
+  std::string text(std::size_t max_bytes) const;
+  Vec3 vector(const Range& range = {}) const;
+
+  /// One of a few words, each with its meaning.
+  template <class Choice>
+  Choice choice(const std::map<std::string, Choice>& meanings) const;
+
+  /// The entries of a list; a key with nothing after it is an empty list. With `count`, exactly so many.
+  std::vector<YamlValue> list(std::optional<std::size_t> count = {}) const;
+
+  /// A map with none but these keys, each at most once; a key with nothing after it is an empty map.
+  YamlMap map(const std::vector<std::string>& allowed_keys) const;
+
+  const std::string& source() const { return source_; }
+
+  /// Throws what every check throws.
+  [[noreturn]] void refuse(const std::string& allowed) const;
+  /// Throws "source: key: reason".
+  [[noreturn]] void fail(const std::string& reason) const;
+
+ private:
+  YAML::Node node_;
+  std::string source_, key_;
+};
+
+/// The entries of a YamlValue that is a map.
+class YamlMap {
+ public:
+  YamlMap(const YamlValue& whole, std::map<std::string, YamlValue> entries);
+
+  std::optional<YamlValue> find(const std::string& key) const;
+  /// Throws InputError when the key is missing.
+  YamlValue at(const std::string& key) const;
+  bool has(const std::string& key) const { return entries_.count(key) > 0; }
+
+  /// The value of a key, or `absent` where it is not given.
+  double number(const std::string& key, double absent, const Range& range = {}) const;
+  double numberOrInfinity(const std::string& key, double absent, const Range& range) const;
+  Vec3 vector(const std::string& key, const Vec3& absent) const;
+
+  /// The entries of the list at a key; none where it is not given.
+  std::vector<YamlValue> list(const std::string& key) const;
+
+ private:
+  YamlValue whole_;
+  std::map<std::string, YamlValue> entries_;
+};
+
+/// Words for a message: "a, b, c".
+std::string joined(const std::vector<std::string>& words);
+
+template <class Choice>
+Choice YamlValue::choice(const std::map<std::string, Choice>& meanings) const {
+  const auto found = meanings.find(node_.IsScalar() ? node_.Scalar() : "");
+  if (found != meanings.end()) return found->second;
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : meanings) words.push_back(word);
+  refuse(joined(words));
+}
+
+}  // namespace incision

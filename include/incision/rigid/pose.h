@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "incision/rigid/wrench.h"
+
+namespace incision {
+
+/// Where a rigid thing stands: turned, then moved, it comes from its own frame into another.
+struct Pose {
+  Vec3 position = Vec3::Zero();                                     ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
+};
+
+/// A cutting edge: its two ends [m].
+using Edge = std::array<Vec3, 2>;
+
+/// The pose in the outer frame of what stands at `inner` in a frame that stands at `outer`.
+Pose composed(const Pose& outer, const Pose& inner);
+
+/// The pose a share `s`, from 0 to 1, of the even way from `a` to `b`.
+Pose between(const Pose& a, const Pose& b, double s);
+
+/// The edge carried to a pose.
+Edge placed(const Edge& edge, const Pose& pose);
+
+/// The point of the edge that is nearest to `point`.
+Vec3 nearestOn(const Edge& edge, const Vec3& point);
+
+/// A wrench about the origin of the outer frame, as a frame that stands at `pose` in it has it: in its axes, about its
+/// own origin.
+Wrench seenFrom(const Pose& pose, const Wrench& wrench);
+
+}  // namespace incision

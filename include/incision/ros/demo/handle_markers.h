@@ -1,0 +1,22 @@
+#pragma once
+
+#include <visualization_msgs/InteractiveMarker.h>
+
+#include <string>
+
+#include "incision/rigid/pose.h"
+
+namespace incision {
+
+/// Names by which rviz tells which of the two the user has moved.
+inline const std::string SCALPEL = "scalpel", PLANE = "plane";
+
+/// A handle to grab, of length `size` [m], that ends at the tool's origin and extends to -z; with rings and arrows for
+/// its six freedoms. It is locked to `frame`, so rviz answers in it.
+visualization_msgs::InteractiveMarker scalpelHandle(const std::string& frame, const Pose& pose, double size);
+
+/// A translucent rectangle to grab, `length` [m] along its x axis and `width` [m] along y; likewise.
+visualization_msgs::InteractiveMarker planeHandle(const std::string& frame, const Pose& pose, double length,
+                                                  double width);
+
+}  // namespace incision

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <deque>
+#include <unordered_map>
+#include <vector>
+
+#include "incision/tool/blade/ties.h"
+
+namespace incision {
+
+/// A crack that grows as a blade's edge sweeps through the body. What the edge sweeps is reckoned in the material: from
+/// the line of the tissue at which it stood last, wherever that has moved to, to the line at which it stands now. So a
+/// blade that stands still in moving tissue cuts too. The crack keeps its distances at the copies of parts it has
+/// split, and takes its direction from the way of the last half element: the cut face is smooth however slow or fast
+/// the blade moves. It keeps its whole sweep so far, carried along in the elements' own coordinates.
+///
+/// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
+class Stroke {
+ public:
+  /// The edge stands here while the copies stand at `x` [m], and has not swept anything. Later calls do nothing.
+  void start(const Edge& edge, const std::vector<Vec3>& x);
+
+  /// Adds what the edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
+  /// whose section the sweep so far has entered; without progressive ties those whose section's centroid it covers.
+  /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.
+  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh, Ties* ties);
+
+  /// Whether the stroke has met any part of the body.
+  bool begun() const { return begun_; }
+
+  /// Cracks that it has made.
+  int cracks() const { return cracks_; }
+
+ private:
+  /// From the crack at a copy; settled once a part that uses the copy is split.
+  struct Distance {
+    double phi = 0;              // [m]
+    Vec3 normal = Vec3::Zero();  // when it was measured
+    bool settled = false;
+  };
+
+  /// A part that the current sweep passes.
+  struct Passed {
+    int part;
+    bool within = false;                 // not only near
+    std::array<Barycentric, 4> corners;  // of the sweep, in the element
+    Vec3 normal = Vec3::Zero();          // of the sweep there, as long as the edge moved [m]
+  };
+
+  bool record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
+  void keepTriangles(const CutMesh& mesh);
+  void findHeadings(const CutMesh& mesh);
+  void turnAlike();
+  double distanceNow(int copy, const Edge& to, const std::vector<Vec3>& x) const;
+  bool crossesItself(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const;
+  void measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
+  CrackField field(const CutMesh& mesh) const;
+  bool covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi,
+              bool progressive) const;
+  void settle(const Insertion& done, int before, const CutMesh& mesh);
+
+  int crack_ = -1, cracks_ = 0;
+  bool begun_ = false;
+  Edge from_;                                                       // at the last sweep [m],
+  std::vector<Vec3> last_x_;                                        // and the copies then [m]
+  Vec3 normal_ = Vec3::Zero();                                      // of the sweep so far, to keep the sides' signs
+  std::unordered_map<int, Vec3> ways_;                              // round each copy: normals of the last sweeps [m]
+  std::unordered_map<int, Vec3> headings_;                          // of the copies now passed: the crack's normal
+  std::unordered_map<int, Distance> distances_;                     // of the copies of parts the sweep has passed
+  std::unordered_map<int, std::deque<SweptTriangle>> swept_;        // so far, in each element it met,
+  std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;  // and in the current sweep
+  std::vector<Passed> passed_, beside_;  // parts that the current sweep passes, and cut ones that it passes farther off
+};
+
+}  // namespace incision

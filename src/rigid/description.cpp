@@ -1,0 +1,204 @@
+#include "incision/rigid/description.h"
+
+#include <console_bridge/console.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "incision/base/input_error.h"
+#include "urdf_text.h"
+
+namespace incision {
+
+namespace {
+
+// urdfdom's XML parser calls itself for every nested element, at under 400 bytes of stack each: this many fit twice
+// into the usual 8 MB. A large humanoid has some 5,000.
+constexpr std::ptrdiff_t MAX_ELEMENTS = 10'000;
+
+// Bytes: what people write is a hundredth of it.
+constexpr std::size_t MAX_DESCRIPTION = std::size_t{1} << 20;
+
+// Sizes and coordinates [m] from a micrometre to a thousand kilometres: beyond these it is a slip of units, and what is
+// reckoned with them would lose its digits.
+constexpr double MIN_SIZE = 1e-6, MAX_LENGTH = 1e6;
+
+// urdfdom's XML parser trusts the first byte of a character, which promises up to four, and reads past the end of a
+// text that breaks off within one. These come after it.
+constexpr const char* PADDING = "    ";
+
+// Keeps urdfdom from printing and remembers its first complaint, for as long as it lives. urdfdom hands text of the
+// description to printf as the format: where a '%' may be in it, written out or as a reference, it is not heard at all.
+class QuietConsole : public console_bridge::OutputHandler {
+ public:
+  explicit QuietConsole(const std::string& urdf) : previous_(console_bridge::getOutputHandler()) {
+    const bool may_be_heard = urdf.find_first_of("%&") == std::string::npos;
+    console_bridge::useOutputHandler(may_be_heard ? this : nullptr);
+  }
+  ~QuietConsole() override { console_bridge::useOutputHandler(previous_); }
+  QuietConsole(const QuietConsole&) = delete;
+  QuietConsole& operator=(const QuietConsole&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (complaint_.empty() && level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) complaint_ = ": " + text;
+  }
+  /// ": reason", or nothing.
+  const std::string& complaint() const { return complaint_; }
+
+ private:
+  console_bridge::OutputHandler* previous_;
+  std::string complaint_;
+};
+
+std::string oneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+void checkSize(const std::string& urdf, const std::string& name) {
+  if (urdf.size() > MAX_DESCRIPTION) {
+    throw InputError(name + ": the description is too large (allowed: up to " + std::to_string(MAX_DESCRIPTION) +
+                     " bytes)");
+  }
+  std::ptrdiff_t elements = 0;
+  for (std::size_t i = 0; i + 1 < urdf.size(); ++i) elements += urdf[i] == '<' && urdf[i + 1] != '/';
+  if (elements > MAX_ELEMENTS) {
+    throw InputError(name + ": " + std::to_string(elements) + " elements (allowed: up to " +
+                     std::to_string(MAX_ELEMENTS) + ")");
+  }
+}
+
+struct Parsed {
+  urdf::ModelInterfaceSharedPtr model;
+  std::string complaint;  // ": reason", or nothing
+};
+
+Parsed parseModel(const std::string& urdf, const std::string& name) {
+  QuietConsole console(urdf);
+  try {
+    if (const auto model = urdf::parseURDF(urdf + PADDING)) return {model, oneLine(console.complaint())};
+  } catch (const std::exception& error) {
+    throw InputError(name + ": not a robot description: " + oneLine(error.what()));
+  }
+  throw InputError(name + ": not a robot description" + oneLine(console.complaint()));
+}
+
+Vec3 toVec3(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Pose toPose(const urdf::Pose& pose) {
+  const urdf::Rotation& q = pose.rotation;
+  return {toVec3(pose.position), Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
+}
+
+DescribedShape toShape(const urdf::Collision& collision) {
+  DescribedShape described;
+  described.pose = toPose(collision.origin);
+  Vec3& size = described.shape.size;
+  switch (collision.geometry->type) {
+    case urdf::Geometry::SPHERE:
+      described.shape.kind = ShapeKind::SPHERE;
+      size[0] = static_cast<const urdf::Sphere&>(*collision.geometry).radius;
+      break;
+    case urdf::Geometry::BOX:
+      described.shape.kind = ShapeKind::BOX;
+      size = toVec3(static_cast<const urdf::Box&>(*collision.geometry).dim);
+      break;
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(*collision.geometry);
+      described.shape.kind = ShapeKind::CYLINDER;
+      size[0] = cylinder.radius, size[2] = cylinder.length;
+      break;
+    }
+    default:
+      described.is_mesh = true;
+  }
+  return described;
+}
+
+DescribedLink toLink(const urdf::Link& link, const Pose& pose) {
+  DescribedLink described;
+  described.name = link.name;
+  described.pose = pose;
+  for (const auto& collision : link.collision_array)
+    if (collision && collision->geometry) described.shapes.push_back(toShape(*collision));
+  return described;
+}
+
+// The links, parents before their children.
+std::vector<DescribedLink> linksOf(const urdf::ModelInterface& model) {
+  std::vector<urdf::LinkConstSharedPtr> order = {model.getRoot()};
+  std::vector<DescribedLink> links = {toLink(*order[0], Pose())};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const urdf::LinkConstSharedPtr parent = order[i];  // order grows
+    for (const auto& child : parent->child_links) {
+      const Pose joint = toPose(child->parent_joint->parent_to_joint_origin_transform);
+      links.push_back(toLink(*child, composed(links[i].pose, joint)));
+      order.push_back(child);
+    }
+  }
+  return links;
+}
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+// The numbers that say how large the shape is, by what the URDF calls them.
+std::vector<std::pair<std::string, double>> sizes(const Shape& shape) {
+  const Vec3& size = shape.size;
+  if (shape.kind == ShapeKind::SPHERE) return {{"sphere's radius", size[0]}};
+  if (shape.kind == ShapeKind::CYLINDER) return {{"cylinder's radius", size[0]}, {"cylinder's length", size[2]}};
+  return {{"box's size", size[0]}, {"box's size", size[1]}, {"box's size", size[2]}};
+}
+
+}  // namespace
+
+std::vector<DescribedLink> parseDescription(const std::string& urdf, const std::string& name) {
+  checkSize(urdf, name);
+  const UrdfText text(urdf + PADDING);
+  text.checkTree(name);
+  const Parsed parsed = parseModel(urdf, name);
+  std::vector<DescribedLink> links = linksOf(*parsed.model);
+  std::map<std::string, std::size_t> collisions = text.countCollisions();
+  for (DescribedLink& link : links)
+    if (link.shapes.size() < collisions[link.name]) link.fault = "a collision shape cannot be read" + parsed.complaint;
+  return links;
+}
+
+const DescribedLink& findLink(const std::vector<DescribedLink>& links, const std::string& link,
+                              const std::string& name) {
+  const auto found = std::find_if(links.begin(), links.end(), [&](const DescribedLink& l) { return l.name == link; });
+  if (found == links.end())
+    throw InputError(linkInMessage(name, link) + " does not exist (allowed: a link of the description)");
+  return *found;
+}
+
+std::string linkInMessage(const std::string& name, const std::string& link) {
+  return name + ": link '" + oneLine(link) + "'";
+}
+
+void checkShape(const DescribedShape& shape, const std::string& where) {
+  for (const auto& [what, size] : sizes(shape.shape)) {
+    if (size >= MIN_SIZE && size <= MAX_LENGTH) continue;
+    throw InputError(where + ": the " + what + ' ' + shown(size) + " (allowed: " + shown(MIN_SIZE) + " to " +
+                     shown(MAX_LENGTH) + " m)");
+  }
+  checkPose(shape.pose, where + ": the collision");
+}
+
+void checkPose(const Pose& pose, const std::string& where) {
+  for (const double x : pose.position) {
+    if (std::abs(x) <= MAX_LENGTH) continue;
+    throw InputError(where + " stands at " + shown(x) + " (allowed: " + shown(-MAX_LENGTH) + " to " +
+                     shown(MAX_LENGTH) + " m)");
+  }
+  if (!pose.orientation.coeffs().allFinite()) throw InputError(where + ": rpy (allowed: finite numbers)");
+}
+
+}  // namespace incision

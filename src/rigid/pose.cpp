@@ -1,0 +1,30 @@
+#include "incision/rigid/pose.h"
+
+#include <algorithm>
+
+namespace incision {
+
+Pose composed(const Pose& outer, const Pose& inner) {
+  return {outer.position + outer.orientation * inner.position, (outer.orientation * inner.orientation).normalized()};
+}
+
+Pose between(const Pose& a, const Pose& b, double s) {
+  return {(1 - s) * a.position + s * b.position, a.orientation.slerp(s, b.orientation)};
+}
+
+Edge placed(const Edge& edge, const Pose& pose) {
+  return {pose.position + pose.orientation * edge[0], pose.position + pose.orientation * edge[1]};
+}
+
+Vec3 nearestOn(const Edge& edge, const Vec3& point) {
+  const Vec3 along = edge[1] - edge[0];
+  const double share = (point - edge[0]).dot(along) / along.squaredNorm();
+  return edge[0] + std::clamp(share, 0.0, 1.0) * along;
+}
+
+Wrench seenFrom(const Pose& pose, const Wrench& wrench) {
+  const Eigen::Quaterniond inverse = pose.orientation.conjugate();
+  return {inverse * wrench.force, inverse * (wrench.torque - pose.position.cross(wrench.force))};
+}
+
+}  // namespace incision

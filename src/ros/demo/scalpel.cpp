@@ -1,0 +1,112 @@
+#include "incision/ros/demo/scalpel.h"
+
+#include <ros/console.h>
+#include <std_msgs/Bool.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "incision/base/input_error.h"
+#include "incision/ros/conversions.h"
+#include "incision/ros/private_parameters.h"
+
+namespace incision {
+namespace {
+
+/// Poses that are late by up to this [s], because the machine was busy, are made up for. What is later is a jump of the
+/// clock, or a process that was stopped, and the path goes on from where it was.
+constexpr double MAX_LATE = 1;
+
+/// Between two looks at the clock [s]: quicker would be a busy loop, slower would not notice the end of ROS.
+constexpr double MIN_SLEEP = 0.001, MAX_SLEEP = 0.1;
+
+/// Share of a period by which rounding may put a look at the clock before the pose that is due then.
+constexpr double ROUNDING = 1e-6;
+
+std::vector<Pose> loadPath(const YamlMap& parameters) {
+  const YamlValue value = parameters.at("path");
+  std::vector<Pose> path;
+  for (const YamlValue& waypoint : value.list()) {
+    const Pose pose = toPose(waypoint);
+    if (!path.empty() && path.back().position == pose.position)
+      waypoint.fail("at the position of the waypoint before it (allowed: another position, for the speed to hold)");
+    path.push_back(pose);
+  }
+  if (path.empty()) value.refuse("one waypoint [x, y, z, roll, pitch, yaw] or more");
+  return path;
+}
+
+}  // namespace
+
+ScalpelSettings loadScalpelSettings(const ros::NodeHandle& node) {
+  const YamlMap parameters = privateParameters(node, {"frame", "tool_frame", "path", "speed", "rate", "loop"});
+  ScalpelSettings settings;
+  settings.frame = frameParameter(parameters, "frame", settings.frame);
+  settings.tool_frame = frameParameter(parameters, "tool_frame", settings.tool_frame);
+  settings.path = loadPath(parameters);
+  settings.speed = parameters.number("speed", settings.speed, {ABOVE_ZERO, 100});
+  settings.rate = parameters.number("rate", settings.rate, {1, 20000});
+  if (const auto loop = parameters.find("loop")) settings.loop = loop->boolean();
+  return settings;
+}
+
+Scalpel::Scalpel(ros::NodeHandle& node, const ScalpelSettings& settings)
+    : settings_(settings),
+      path_(settings.path, settings.speed, settings.loop),
+      publisher_(node, settings.tool_frame, static_cast<std::uint32_t>(MAX_LATE * settings.rate) + 1),
+      done_publisher_(node.advertise<std_msgs::Bool>("done", 1, true)) {
+  publishDone(false);
+}
+
+void Scalpel::run() {
+  using Clock = std::chrono::steady_clock;
+  const std::chrono::duration<double> sleep(std::clamp(1 / settings_.rate, MIN_SLEEP, MAX_SLEEP));
+  const auto period = std::chrono::duration_cast<Clock::duration>(sleep);
+  for (auto wake = Clock::now(); ros::ok(); wake = std::max(wake + period, Clock::now())) {
+    std::this_thread::sleep_until(wake);
+    publishDue(static_cast<Nanoseconds>(ros::Time::now().toNSec()));
+  }
+}
+
+/// Pose k is due k / rate after the start.
+void Scalpel::publishDue(Nanoseconds now) {
+  if (now == 0) return;  // /clock has not begun
+  if (!start_) {
+    if (!publisher_.hasSubscribers()) return;
+    start_ = now;
+  }
+  const auto due = [&] {
+    return 1 +
+           static_cast<std::int64_t>(std::floor(1e-9 * static_cast<double>(now - *start_) * settings_.rate + ROUNDING));
+  };
+  const double late = static_cast<double>(due() - count_) / settings_.rate;
+  if (late < 0 || late > MAX_LATE) start_ = now - afterStart(count_);
+  while (count_ < due()) publishNext();
+}
+
+Nanoseconds Scalpel::afterStart(std::int64_t pose) const {
+  return std::llround(1e9 * static_cast<double>(pose) / settings_.rate);
+}
+
+void Scalpel::publishNext() {
+  const Nanoseconds time = afterStart(count_++);
+  const double seconds = 1e-9 * static_cast<double>(time);
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = settings_.frame;
+  message.header.stamp = toRos(*start_ + time);
+  message.pose = toPoseMessage(path_.at(seconds));
+  publisher_.publish(message);
+  if (!done_ && seconds >= path_.duration()) publishDone(true);
+}
+
+void Scalpel::publishDone(bool done) {
+  done_ = done;
+  std_msgs::Bool message;
+  message.data = done;
+  done_publisher_.publish(message);
+  if (done) ROS_INFO("the path is through; the tool stays at its end");
+}
+
+}  // namespace incision

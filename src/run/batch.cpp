@@ -1,0 +1,165 @@
+#include "incision/run/batch.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+
+#include "incision/base/input_error.h"
+#include "incision/base/printable.h"
+#include "incision/body/deformable_body.h"
+#include "incision/run/output_file.h"
+#include "incision/run/run_record.h"
+#include "incision/run/run_summary.h"
+#include "incision/run/snapshot.h"
+#include "incision/scene/scene.h"
+
+namespace incision {
+
+namespace {
+
+volatile std::sig_atomic_t stop_asked = 0;
+
+constexpr const char* HELP =
+    R"(usage: incision_batch SCENE.yaml [options]
+
+Runs a scene and ends with one line of JSON on standard output.
+
+  --steps N          steps to take (default 100; 0 only loads the scene)
+  --set KEY=VALUE    replaces or adds one value of the scene, such as
+                     solver.time_step=0.005 or cuts.0.normal=[1,0,0]; may be given often
+  --threads N        short for --set solver.threads=N
+  --record RUN.csv   one row a step: counts, momentum, energies, solver
+  --positions END.txt
+                     `x y z` of every mesh node at the end, in mesh order
+  --snapshot END.vtu the surface and its stress at the end, for ParaView
+  --help             this text
+
+Ctrl-C ends the run after the current step, outputs included.
+Exit status: 0 done, 1 a step failed or an output could not be written, 2 bad input.
+)";
+
+// One line on a terminal that says how far the run is; nothing elsewhere.
+class Progress {
+ public:
+  Progress(std::ostream& out, std::int64_t steps)
+      : out_(out), steps_(steps), shown_(&out == &std::cerr && isatty(STDERR_FILENO)) {}
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const DeformableBody& body, double step_ms) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_ || now < next_) return;
+    next_ = now + std::chrono::milliseconds(100);
+    out_ << "\rstep " << body.steps() << " of " << steps_ << ", " << body.time() << " s, " << step_ms << " ms a step  "
+         << std::flush;
+  }
+  void clear() {
+    if (shown_) out_ << "\r\033[K" << std::flush;
+  }
+
+ private:
+  std::ostream& out_;
+  std::int64_t steps_;
+  bool shown_;
+  std::chrono::steady_clock::time_point next_;
+};
+
+struct Outputs {
+  std::optional<RunRecord> record;
+  std::optional<std::ofstream> positions, snapshot;
+};
+
+// Opened before the run, so that hours of it are not lost to a misspelt folder.
+Outputs openOutputs(const BatchOptions& options) {
+  Outputs outputs;
+  if (!options.record.empty()) outputs.record.emplace(options.record);
+  if (!options.positions.empty()) outputs.positions = openOutput(options.positions);
+  if (!options.snapshot.empty()) outputs.snapshot = openOutput(options.snapshot);
+  return outputs;
+}
+
+void reportCuts(const std::vector<CutResult>& cuts, double time, std::ostream& err) {
+  for (const CutResult& cut : cuts) {
+    if (cut.status == CutStatus::APPLIED) continue;
+    err << "incision_batch: cut '" << printable(cut.label) << "' at " << time << " s "
+        << (cut.status == CutStatus::MISSED ? "missed: " : "was rejected: ") << cut.reason << std::endl;
+  }
+}
+
+// Whether all steps could be taken.
+bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outputs, StepStatistics& statistics,
+               std::ostream& err) {
+  Progress progress(err, options.steps);
+  try {
+    while (body.steps() < options.steps && !stop_asked) {
+      const double time = body.time();
+      const StepResult step = body.step();
+      statistics.add(step);
+      if (!step.cuts.empty()) progress.clear();
+      reportCuts(step.cuts, time, err);
+      if (outputs.record) outputs.record->write(body, step);
+      progress.show(body, step.step_ms);
+    }
+  } catch (const StepFailed& failure) {
+    progress.clear();
+    err << "incision_batch: step " << body.steps() + 1 << " failed: " << failure.what() << std::endl;
+    return false;
+  }
+  return true;
+}
+
+// Whether everything reached its file.
+bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outputs& outputs, std::ostream& err) {
+  bool all_written = true;
+  const auto check = [&](const std::string& path, bool written) {
+    if (!written) err << "incision_batch: " << printable(path) << ": could not be written to the end" << std::endl;
+    all_written = all_written && written;
+  };
+  if (outputs.record) check(options.record, outputs.record->good());
+  if (outputs.positions) {
+    writePositions(*outputs.positions, body);
+    check(options.positions, static_cast<bool>(outputs.positions->flush()));
+  }
+  if (outputs.snapshot) {
+    writeSnapshot(*outputs.snapshot, body);
+    check(options.snapshot, static_cast<bool>(outputs.snapshot->flush()));
+  }
+  return all_written;
+}
+
+BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& err) {
+  const Scene scene = loadScene(options.scene, options.overrides);
+  DeformableBody body(scene, loadMesh(scene), {loadDescription(scene), loadObstacleDescription(scene)});
+  Outputs outputs = openOutputs(options);
+  StepStatistics statistics;
+  const bool stepped = takeSteps(options, body, outputs, statistics, err);
+  const bool written = writeOutputs(options, body, outputs, err);
+  out << summaryLine(body, statistics) << std::endl;
+  return stepped && written && out ? BatchStatus::DONE : BatchStatus::FAILED;
+}
+
+}  // namespace
+
+BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  try {
+    const BatchOptions options = parseBatchArguments(arguments);
+    if (!options.help) return run(options, out, err);
+    out << HELP;
+    return BatchStatus::DONE;
+  } catch (const InputError& error) {
+    err << "incision_batch: " << error.what() << std::endl;
+    return BatchStatus::BAD_INPUT;
+  } catch (const std::bad_alloc&) {
+    err << "incision_batch: not enough memory for this scene" << std::endl;
+    return BatchStatus::FAILED;
+  }
+}
+
+void stopBatch() { stop_asked = 1; }
+
+}  // namespace incision

@@ -1,0 +1,90 @@
+#include "incision/run/run_summary.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace incision {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
+}
+
+// As text: JSON readers keep only 53 bits of a number.
+std::string hexadecimal(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  return digits;
+}
+
+}  // namespace
+
+void StepStatistics::add(const StepResult& step) {
+  step_ms_.push_back(step.step_ms);
+  sum_.cut += step.phase_ms.cut;
+  sum_.fracture += step.phase_ms.fracture;
+  sum_.contact += step.phase_ms.contact;
+  sum_.assembly += step.phase_ms.assembly;
+  sum_.solve += step.phase_ms.solve;
+  sum_.update += step.phase_ms.update;
+  contact_ = step.contact;
+  iterations_ = step.iterations;
+  residual_ = step.residual;
+}
+
+double StepStatistics::quantile(double share) const {
+  if (step_ms_.empty()) return 0;
+  std::vector<double> sorted = step_ms_;
+  std::sort(sorted.begin(), sorted.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+PhaseTimes StepStatistics::meanPhases() const {
+  const double n = std::max<double>(1, static_cast<double>(step_ms_.size()));
+  return {sum_.cut / n, sum_.fracture / n, sum_.contact / n, sum_.assembly / n, sum_.solve / n, sum_.update / n};
+}
+
+std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics) {
+  const BodyCounts counts = body.counts();
+  const BodyMotion motion = body.motion();
+  const PhaseTimes phases = statistics.meanPhases();
+  Json line;
+  line["steps"] = body.steps();
+  line["time"] = body.time();
+  line["nodes"] = counts.nodes;
+  line["elements"] = counts.elements;
+  line["crack_elements"] = counts.crack_elements;
+  line["parts"] = counts.parts;
+  line["copies"] = counts.copies;
+  line["dofs"] = counts.dofs;
+  line["cracks"] = counts.cracks;
+  line["pieces"] = counts.pieces;
+  line["piece_volumes"] = body.pieceVolumes();
+  line["mass"] = motion.mass;
+  line["momentum"] = {motion.momentum.x(), motion.momentum.y(), motion.momentum.z()};
+  line["kinetic_energy"] = motion.kinetic_energy;
+  line["elastic_energy"] = motion.elastic_energy;
+  line["max_displacement"] = motion.max_displacement;
+  line["iterations"] = statistics.iterations();
+  line["residual"] = statistics.residual();
+  line["step_ms"] = {
+      {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.quantile(1)}};
+  line["phase_ms"] = {{"cut", phases.cut},           {"fracture", phases.fracture}, {"contact", phases.contact},
+                      {"assembly", phases.assembly}, {"solve", phases.solve},       {"update", phases.update}};
+  line["contacts"] = {{"count", statistics.contact().count}, {"deepest", statistics.contact().deepest}};
+  line["peak_rss_mb"] = peakMemory();
+  line["state_hash"] = hexadecimal(body.stateHash());
+  return line.dump();
+}
+
+}  // namespace incision

@@ -1,0 +1,314 @@
+#include "incision/tool/blade/stroke.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace incision {
+namespace {
+
+/// Triangles of the sweep kept for one element; the oldest go first. An element is cut by the first of the sweeps that
+/// enter it; these tell what the last half element of the way was.
+constexpr std::size_t MAX_TRIANGLES = 128;
+
+/// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
+/// each element runs beside the swept surface by what that bends within one, and so through elements that the surface
+/// itself just misses.
+constexpr double MARGIN = 0.5;
+
+/// The same for what frees an element that is cut: on a path that curves within two elements the blade is beside the
+/// far end of the crack in one when it is well into the next.
+constexpr double FREEING_MARGIN = 1;
+
+/// How far the edge must move through the tissue, in edges of the mesh, to be followed: tissue that trembles round a
+/// blade at rest is not cut, and a slow blade cuts in as many pieces as matter.
+constexpr double MIN_MOTION = 0.01;
+
+/// How far the edge must move across itself, as a share of its length, for a sweep to have a direction; an edge that
+/// moves along itself moves by rounding.
+constexpr double MIN_SWEEP = 1e-9;
+
+/// The way, in edges of the mesh, over which a crack takes its direction. Over less, tissue that moves while a slow
+/// blade goes on would turn it; over more, it would not follow a curve.
+constexpr double SMOOTHING = 0.5;
+
+/// A sweep is another crack's where it would give a node of this one a distance that is off by this much, in edges of
+/// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
+constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
+
+/// A blade that passes a part along a face of an old cut, this near to it, in elements, and turned by less than this
+/// cosine, runs in that cut: tissue that has moved a little must not be sliced again each time a blade goes back.
+constexpr double SAME_SLIT = 0.2, SAME_PLANE = 0.8;
+
+/// Whether all points lie beyond one face of the element, by more than `margin`.
+bool outside(const std::array<Barycentric, 4>& points, double margin) {
+  for (int I = 0; I < 4; ++I)
+    if (std::all_of(points.begin(), points.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
+  return false;
+}
+
+/// The point of the line through an edge that is nearest to `point`.
+Vec3 nearest(const Edge& edge, const Vec3& point) {
+  const Vec3 along = edge[1] - edge[0];
+  return edge[0] + (point - edge[0]).dot(along) / along.squaredNorm() * along;
+}
+
+/// A severed face, not a section through the part.
+bool liesInFace(const std::vector<Barycentric>& polygon) {
+  for (int I = 0; I < 4; ++I)
+    if (std::all_of(polygon.begin(), polygon.end(), [&](const Barycentric& b) { return b[I] == 0; })) return true;
+  return false;
+}
+
+/// Whether a section of a part lies along one of the faces that cracks have given it.
+bool runsInSlit(const CutMesh& mesh, int p, const std::vector<Barycentric>& section) {
+  if (mesh.parts()[p].detail < 0) return false;
+  const int element = mesh.parts()[p].element;
+  const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
+  const CutPart& cut = mesh.detail(p);
+  const Vec3 centre = resting(polygonCentroid(section));
+  const Vec3 normal = vectorArea(section, resting).stableNormalized();
+  const double near = SAME_SLIT * std::cbrt(6 * elementVolume(mesh.mesh(), element));
+  return std::any_of(cut.polytope.facets.begin(), cut.polytope.facets.end(), [&](const Facet& facet) {
+    const bool severed = std::any_of(cut.face_sides.begin(), cut.face_sides.end(),
+                                     [&](const FaceSide& side) { return side.face == facet.face; });
+    if (facet.face >= 0 && !severed) return false;
+    const Vec3 out = vectorArea(cut.polytope, facet, resting).stableNormalized();
+    return std::abs(out.dot(normal)) > SAME_PLANE &&
+           std::abs(out.dot(centre - resting(cut.polytope.corners[facet.corners[0]]))) < near;
+  });
+}
+
+/// A vector or its opposite, whichever points to the side of another.
+Vec3 alike(const Vec3& side, const Vec3& vector) { return vector.dot(side) < 0 ? Vec3(-vector) : vector; }
+
+double shortestEdge(const Part& part, const CutMesh& mesh) {
+  double shortest = mesh.shortestEdge(mesh.copyNode(part.copies[0]));
+  for (int I = 1; I < 4; ++I) shortest = std::min(shortest, mesh.shortestEdge(mesh.copyNode(part.copies[I])));
+  return shortest;
+}
+
+}  // namespace
+
+void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
+  if (!last_x_.empty()) return;
+  from_ = edge;
+  last_x_ = x;
+}
+
+Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh, Ties* ties) {
+  for (int c = static_cast<int>(last_x_.size()); c < mesh->numCopies(); ++c)
+    last_x_.push_back(last_x_[mesh->copyParent(c)]);
+  if (!record(to, x, *mesh)) return {};
+  from_ = to;
+  last_x_ = x;
+  if (passed_.empty()) return {};
+  keepTriangles(*mesh);
+  ties->sweep(just_swept_, crack_);
+  findHeadings(*mesh);
+  if (crossesItself(to, x, *mesh)) {
+    crack_ = -1;
+    distances_.clear();
+    ways_.clear();
+    findHeadings(*mesh);
+  }
+  measure(to, x, *mesh);
+  CrackField crack = field(*mesh);
+  crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
+    return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
+           (liesInFace(polygon) || !runsInSlit(*mesh, part, polygon));
+  };
+  const int before = mesh->numCopies();
+  const Insertion done = mesh->insert(crack);
+  if (!done.changed()) return done;
+  cracks_ += crack_ < 0;
+  crack_ = done.crack;
+  settle(done, before, *mesh);
+  ties->add(done, *mesh, swept_);
+  return done;
+}
+
+/// Finds the parts that the sweep passes. It starts where the last sweep left the element's material, so the surface
+/// has no gaps however the tissue moves under the blade. Returns false where the edge has hardly moved in any.
+bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
+  passed_.clear();
+  beside_.clear();
+  const Vec3 direction = (to[1] - to[0]).normalized();
+  const double least = MIN_SWEEP * (to[1] - to[0]).norm();
+  Eigen::AlignedBox3d reach;
+  for (const Edge& edge : {from_, to})
+    for (const Vec3& end : edge) reach.extend(end);
+  bool near = false, moved = false;
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+    const Part& part = mesh.parts()[p];
+    const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, last_x_));
+    const auto meets = [&](double margin) {
+      const Vec3 room = margin * box.sizes();
+      return reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room));
+    };
+    if (!meets(part.detail >= 0 ? FREEING_MARGIN : MARGIN)) continue;
+    const PartFrame was(part, last_x_), is(part, x);
+    if (!was.invertible() || !is.invertible()) continue;
+    Passed passed;
+    passed.part = static_cast<int>(p);
+    passed.corners = {was.toElement(from_[0]), was.toElement(from_[1]), is.toElement(to[1]), is.toElement(to[0])};
+    if (outside(passed.corners, FREEING_MARGIN)) continue;
+    if (!meets(MARGIN) || outside(passed.corners, MARGIN)) {
+      if (part.detail >= 0) beside_.push_back(passed);
+      continue;
+    }
+    const Edge carried = {is.toBody(passed.corners[0]), is.toBody(passed.corners[1])};
+    near = true;
+    moved = moved ||
+            std::max((to[0] - carried[0]).norm(), (to[1] - carried[1]).norm()) > MIN_MOTION * shortestEdge(part, mesh);
+    const Vec3 centre = is.toBody(Barycentric::Constant(0.25));
+    passed.normal = direction.cross(nearest(to, centre) - nearest(carried, centre));
+    if (!(passed.normal.norm() > least)) continue;
+    passed.within = !outside(passed.corners, 0);
+    passed_.push_back(passed);
+  }
+  if (near && !moved) return false;
+  begun_ = begun_ || std::any_of(passed_.begin(), passed_.end(), [](const Passed& passed) { return passed.within; });
+  return true;
+}
+
+void Stroke::keepTriangles(const CutMesh& mesh) {
+  just_swept_.clear();
+  const auto keep = [&](const Passed& passed) {
+    const std::array<Barycentric, 4>& c = passed.corners;
+    std::vector<SweptTriangle>& triangles = just_swept_[mesh.parts()[passed.part].element];
+    triangles.push_back({c[0], c[1], c[2]});
+    triangles.push_back({c[0], c[2], c[3]});
+  };
+  for (const Passed& passed : passed_) keep(passed);
+  for (const auto& [element, triangles] : just_swept_) {
+    std::deque<SweptTriangle>& kept = swept_[element];
+    kept.insert(kept.end(), triangles.begin(), triangles.end());
+    while (kept.size() > MAX_TRIANGLES) kept.pop_front();
+  }
+  for (const Passed& passed : beside_) keep(passed);
+}
+
+/// The crack's normal at the copies passed, from the sweeps round them over the last half edge. Normals add up as
+/// vectors, turned alike: of an edge that trembles, what goes sideways cancels, and an edge that goes back keeps to its
+/// crack.
+void Stroke::findHeadings(const CutMesh& mesh) {
+  std::unordered_map<int, std::pair<Vec3, int>> sums;
+  for (const Passed& passed : passed_)
+    for (int c : mesh.parts()[passed.part].copies) {
+      auto& [sum, count] = sums.try_emplace(c, Vec3::Zero(), 0).first->second;
+      sum += passed.normal;
+      ++count;
+    }
+  for (const auto& [c, sum] : sums) {
+    Vec3& way = ways_.try_emplace(c, Vec3::Zero()).first->second;
+    const Vec3 mean = alike(way.isZero(0) ? normal_ : way, sum.first / sum.second);
+    way = std::exp(-mean.norm() / (SMOOTHING * mesh.shortestEdge(mesh.copyNode(c)))) * way + mean;
+  }
+  headings_.clear();
+  for (const Passed& passed : passed_) {
+    const auto& copies = mesh.parts()[passed.part].copies;
+    Vec3 sum = Vec3::Zero();
+    for (int c : copies) sum += alike(normal_, ways_.at(c));
+    for (int c : copies) headings_.try_emplace(c, Vec3::Zero()).first->second += sum;
+  }
+  turnAlike();
+}
+
+/// Turns the headings to the side of the sweep so far: a blade that goes back must not swap the crack's sides.
+void Stroke::turnAlike() {
+  Vec3 sum = Vec3::Zero();
+  for (const Passed& passed : passed_) sum += passed.normal;
+  if (normal_.isZero(0)) normal_ = sum.stableNormalized();
+  sum.setZero();
+  for (auto& [c, heading] : headings_) {
+    heading = alike(normal_, heading.stableNormalized());
+    sum += heading;
+  }
+  if (sum.norm() > 0) normal_ = sum.normalized();
+}
+
+/// From the edge as it stands now, along the heading [m]. Not from the edge's end: where the edge turns, a heading of
+/// the way so far is not quite at right angles to it, and the end may be far.
+double Stroke::distanceNow(int copy, const Edge& to, const std::vector<Vec3>& x) const {
+  return headings_.at(copy).dot(x[copy] - nearest(to, x[copy]));
+}
+
+/// Whether the sweep goes on, into a part that the crack has not split, in another direction than the crack's there.
+bool Stroke::crossesItself(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const {
+  if (crack_ < 0) return false;
+  return std::any_of(passed_.begin(), passed_.end(), [&](const Passed& passed) {
+    if (!passed.within || facetOf(mesh.polytope(passed.part), crack_)) return false;
+    const Part& part = mesh.parts()[passed.part];
+    const double far = CROSSING * shortestEdge(part, mesh);
+    return std::any_of(part.copies.begin(), part.copies.end(), [&](int c) {
+      const auto known = distances_.find(c);
+      return known != distances_.end() && known->second.settled &&
+             known->second.normal.dot(headings_.at(c)) < SAME_WAY &&
+             std::abs(known->second.phi - distanceNow(c, to, x)) > far;
+    });
+  });
+}
+
+/// Measures the copies of the parts the sweep passes, but for the settled ones.
+void Stroke::measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
+  for (const auto& [c, heading] : headings_) {
+    if (heading.isZero(0)) continue;
+    Distance& distance = distances_[c];
+    if (distance.settled) continue;
+    const double phi = distanceNow(c, to, x);
+    distance.phi = std::abs(phi) < SNAP * mesh.shortestEdge(mesh.copyNode(c)) ? 0 : phi;
+    distance.normal = heading;
+  }
+}
+
+/// The crack in all elements of the sweep so far: a copy that is measured anew can change what it means for elements
+/// that the blade has left behind, and neighbours must agree.
+CrackField Stroke::field(const CutMesh& mesh) const {
+  CrackField crack;
+  crack.crack = crack_;
+  crack.phi.assign(mesh.numCopies(), 0);
+  for (const auto& [copy, distance] : distances_) crack.phi[copy] = distance.phi;
+  for (const auto& [element, unused] : swept_)
+    for (int p = element; p >= 0; p = mesh.parts()[p].next) {
+      const auto& copies = mesh.parts()[p].copies;
+      if (std::all_of(copies.begin(), copies.end(), [&](int c) { return distances_.count(c) > 0; }))
+        crack.parts.push_back(p);
+    }
+  std::sort(crack.parts.begin(), crack.parts.end());
+  return crack;
+}
+
+/// Whether the sweep so far passed enough of a section, or the centroid of a face, seen along the gradient of φ.
+bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi,
+                    bool progressive) const {
+  const auto found = swept_.find(part.element);
+  if (found == swept_.end()) return false;
+  const std::deque<SweptTriangle>& triangles = found->second;
+  const Vec3 across =
+      gradient(Eigen::Vector4d(phi[part.copies[0]], phi[part.copies[1]], phi[part.copies[2]], phi[part.copies[3]]));
+  const auto covered = [&](const Barycentric& point) {
+    return std::any_of(triangles.begin(), triangles.end(),
+                       [&](const SweptTriangle& triangle) { return isBehind(triangle, point, across); });
+  };
+  if (!progressive || liesInFace(polygon)) return covered(polygonCentroid(polygon));
+  const std::vector<Barycentric> points = spread(polygon);
+  double left = FIRST_SHARE * static_cast<double>(points.size());
+  return std::any_of(points.begin(), points.end(), [&](const Barycentric& point) {
+    left -= covered(point);
+    return left <= 0;
+  });
+}
+
+/// The copies of the parts that were split keep their distances, and pass them on to the new ones.
+void Stroke::settle(const Insertion& done, int before, const CutMesh& mesh) {
+  for (int part : done.parts)
+    for (int c : mesh.parts()[part].copies) distances_.at(c < before ? c : mesh.copyParent(c)).settled = true;
+  for (int c = before; c < mesh.numCopies(); ++c) {
+    if (const auto parent = distances_.find(mesh.copyParent(c)); parent != distances_.end())
+      distances_.emplace(c, Distance(parent->second));
+    if (const auto parent = ways_.find(mesh.copyParent(c)); parent != ways_.end())
+      ways_.emplace(c, Vec3(parent->second));
+  }
+}
+
+}  // namespace incision

@@ -1,0 +1,93 @@
+#include "incision/tool/blade/sweep.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace incision {
+namespace {
+
+/// Rim of a triangle, as a share of it, that counts as inside: consecutive sweeps share an edge, and a point on it must
+/// not fall between.
+constexpr double RIM = 1e-9;
+
+/// Points that stand for a polygon: each is a hundredth of what holds it together.
+constexpr int POINTS = 96;
+
+/// Of the sequence of Roberts (2018), the two-dimensional golden ratio: frac(k g), frac(k g²) fill the square evenly.
+constexpr double GOLDEN = 0.7548776662466927;
+
+double fraction(double value) { return value - std::floor(value); }
+
+double areaOf(const Barycentric& a, const Barycentric& b, const Barycentric& c) {
+  return (b - a).tail<3>().cross((c - a).tail<3>()).norm();
+}
+
+}  // namespace
+
+PartFrame::PartFrame(const Part& part, const std::vector<Vec3>& x) : origin_(x[part.copies[0]]) {
+  for (int k = 0; k < 3; ++k) edges_.col(k) = x[part.copies[k + 1]] - origin_;
+  edges_.computeInverseWithCheck(inverse_, invertible_, 0.0);
+}
+
+Barycentric PartFrame::toElement(const Vec3& point) const {
+  Barycentric b;
+  b.tail<3>() = inverse_ * (point - origin_);
+  b[0] = 1 - b.tail<3>().sum();
+  return b;
+}
+
+Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x) {
+  Eigen::AlignedBox3d box(x[part.copies[0]]);
+  for (int I = 1; I < 4; ++I) box.extend(x[part.copies[I]]);
+  return box;
+}
+
+bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec3& direction) {
+  std::array<double, 3> side;  // twice the areas that the point's image cuts the triangle's into
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 a = (triangle[i] - point).tail<3>(), b = (triangle[(i + 1) % 3] - point).tail<3>();
+    side[i] = a.cross(b).dot(direction);
+  }
+  const double area = side[0] + side[1] + side[2], rim = RIM * std::abs(area), sense = area < 0 ? -1 : 1;
+  return area != 0 && std::all_of(side.begin(), side.end(), [&](double s) { return sense * s >= -rim; });
+}
+
+Vec3 gradient(const Eigen::Vector4d& phi) { return phi.tail<3>() - Vec3::Constant(phi[0]); }
+
+/// The first coordinate chooses a triangle of the fan by area and what is left of it goes on as that of the triangle.
+std::vector<Barycentric> spread(const std::vector<Barycentric>& polygon) {
+  std::vector<double> upTo = {0};
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    upTo.push_back(upTo.back() + areaOf(polygon[0], polygon[i - 1], polygon[i]));
+  std::vector<Barycentric> points;
+  for (int k = 0; k < POINTS; ++k) {
+    const double u = fraction(0.5 + k * GOLDEN) * upTo.back(), v = fraction(0.5 + k * GOLDEN * GOLDEN);
+    const auto next = std::upper_bound(upTo.begin() + 1, upTo.end() - 1, u);
+    const std::size_t i = static_cast<std::size_t>(next - upTo.begin());
+    const double width = upTo[i] - upTo[i - 1];
+    const double r = std::sqrt(width > 0 ? std::clamp((u - upTo[i - 1]) / width, 0.0, 1.0) : 0.5);
+    points.push_back((1 - r) * polygon[0] + r * ((1 - v) * polygon[i] + v * polygon[i + 1]));
+  }
+  return points;
+}
+
+bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh) {
+  Eigen::AlignedBox3d reach(edge[0]);
+  reach.extend(edge[1]);
+  return std::any_of(mesh.parts().begin(), mesh.parts().end(), [&](const Part& part) {
+    if (!reach.intersects(boxOf(part, x))) return false;
+    const PartFrame frame(part, x);
+    if (!frame.invertible()) return false;
+    const Barycentric a = frame.toElement(edge[0]), b = frame.toElement(edge[1]);
+    double first = 0, last = 1;  // of the edge, what lies in the element
+    for (int I = 0; I < 4; ++I) {
+      if (a[I] < 0 && b[I] < 0) return false;
+      if (a[I] < 0) first = std::max(first, a[I] / (a[I] - b[I]));
+      if (b[I] < 0) last = std::min(last, a[I] / (a[I] - b[I]));
+    }
+    return first <= last;
+  });
+}
+
+}  // namespace incision

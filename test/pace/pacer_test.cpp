@@ -1,0 +1,100 @@
+#include "incision/pace/pacer.h"
+
+#include <gtest/gtest.h>
+
+namespace incision {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr double TIME_STEP = 0.01;
+constexpr Nanoseconds MILLISECOND = 1'000'000;
+const SteadyTime START{std::chrono::seconds(100)};
+
+/// Feeds one clock message and takes all steps it allows; how many these were.
+int stepsAfter(ClockPacer& pacer, SteadyTime received, Nanoseconds clock) {
+  pacer.tick(received, clock);
+  pacer.update(received + CLOCK_DELAY);
+  int steps = 0;
+  for (; pacer.due(); ++steps) pacer.stepTaken();
+  return steps;
+}
+
+TEST(WallPacer, ALateStepIsNotMadeUpFor) {
+  WallPacer pacer(TIME_STEP);
+  pacer.update(START);
+  EXPECT_TRUE(pacer.due());
+  pacer.stepTaken();  // reads the wall clock, which is far past START: the next step is due at that time, and once
+  const SteadyTime next = pacer.nextUpdate();
+  pacer.update(next - milliseconds(1));
+  EXPECT_FALSE(pacer.due());
+  pacer.update(next);
+  EXPECT_TRUE(pacer.due());
+}
+
+TEST(ClockPacer, StepsStartOnMultiplesOfTheTimeStep) {
+  ClockPacer pacer(TIME_STEP, 5);
+  EXPECT_EQ(1, stepsAfter(pacer, START, 1003 * MILLISECOND));
+  EXPECT_EQ(1010 * MILLISECOND, pacer.nextStart());
+  EXPECT_EQ(0, stepsAfter(pacer, START + milliseconds(5), 1009 * MILLISECOND));
+  EXPECT_EQ(1, stepsAfter(pacer, START + milliseconds(6), 1010 * MILLISECOND));
+}
+
+TEST(ClockPacer, AClockThatStartsALittleLaterGivesTheSameSteps) {
+  ClockPacer early(TIME_STEP, 5), late(TIME_STEP, 5);
+  stepsAfter(early, START, 1000 * MILLISECOND);
+  stepsAfter(late, START, 1000 * MILLISECOND + 700'000);
+  EXPECT_EQ(early.nextStart(), late.nextStart());
+}
+
+TEST(ClockPacer, AClockMessageWaitsForTheCommandsSentBeforeIt) {
+  ClockPacer pacer(TIME_STEP, 5);
+  pacer.tick(START, 1000 * MILLISECOND);
+  pacer.update(START + CLOCK_DELAY - milliseconds(1));
+  EXPECT_FALSE(pacer.due());
+  EXPECT_EQ(START + CLOCK_DELAY, pacer.nextUpdate());
+  pacer.update(START + CLOCK_DELAY);
+  EXPECT_TRUE(pacer.due());
+}
+
+/// Three seconds of clock, in messages of 0.9 s, while no step is taken.
+void fallBehind(ClockPacer& pacer) {
+  stepsAfter(pacer, START, 1000 * MILLISECOND);
+  for (int i = 1; i <= 3; ++i) {
+    pacer.tick(START + milliseconds(i), (1000 + 900 * i) * MILLISECOND);
+    pacer.update(START + milliseconds(i) + CLOCK_DELAY);
+  }
+}
+
+TEST(ClockPacer, LagUpToItsLimitIsMadeUpFor) {
+  ClockPacer pacer(TIME_STEP, 5);
+  fallBehind(pacer);
+  EXPECT_NEAR(2.69, pacer.lag(), 1e-9);  // 2.7 s less the step taken at the first message
+  EXPECT_EQ(1010 * MILLISECOND, pacer.nextStart());
+}
+
+TEST(ClockPacer, LagBeyondItsLimitIsGivenUp) {
+  ClockPacer pacer(TIME_STEP, 2);
+  fallBehind(pacer);
+  EXPECT_EQ(0, pacer.lag());
+  EXPECT_EQ(3700 * MILLISECOND, pacer.nextStart());
+}
+
+TEST(ClockPacer, AJumpOfTheClockTakesNoSteps) {
+  ClockPacer pacer(TIME_STEP, 5);
+  stepsAfter(pacer, START, 1000 * MILLISECOND);
+  EXPECT_EQ(1, stepsAfter(pacer, START + milliseconds(1), 9000 * MILLISECOND));
+  EXPECT_EQ(1, stepsAfter(pacer, START + milliseconds(2), 500 * MILLISECOND));
+}
+
+TEST(ClockPacer, ARestartWaitsForTheNextClockMessage) {
+  ClockPacer pacer(TIME_STEP, 5);
+  stepsAfter(pacer, START, 1000 * MILLISECOND);
+  pacer.restart();
+  pacer.update(START + milliseconds(100));
+  EXPECT_FALSE(pacer.due());
+  EXPECT_EQ(1, stepsAfter(pacer, START + milliseconds(200), 500 * MILLISECOND));
+}
+
+}  // namespace
+}  // namespace incision

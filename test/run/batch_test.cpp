@@ -1,0 +1,209 @@
+#include "incision/run/batch.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "incision/base/input_error.h"
+#include "incision/run/run_summary.h"
+
+namespace incision {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// A folder of this test's own with a small bar in it, half of which is cut off in mid-run.
+class Batch : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) / ("batch_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    std::ofstream(file("bar.yaml")) << R"(
+body: {grid: {cells: [4, 1, 1], size: [1, 0.25, 0.25]}}
+boundary: [{box: [[-1, -1, -1], [1.0e-6, 1, 1]]}]
+solver: {method: direct, threads: 1}
+cuts:
+  - {time: 0.02, label: middle, point: [0.6, 0, 0], normal: [1, 0, 0]}
+  - {time: 0.02, label: beside, point: [9, 0, 0], normal: [1, 0, 0]}
+)";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  BatchStatus run(std::vector<std::string> arguments) {
+    out_.str("");
+    err_.str("");
+    return runBatch(arguments, out_, err_);
+  }
+
+  // The lines of a file of the folder.
+  std::vector<std::string> lines(const std::string& name) const {
+    std::ifstream in(file(name));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  }
+
+  fs::path folder_;
+  std::ostringstream out_, err_;
+};
+
+TEST(BatchArguments, AreReadInAnyOrder) {
+  const BatchOptions options =
+      parseBatchArguments({"--steps", "7", "--set", "gravity=[0,0,0]", "scene.yaml", "--threads", "3", "--record",
+                           "a.csv", "--positions", "b.txt", "--snapshot", "c.vtu"});
+  EXPECT_EQ(options.scene, "scene.yaml");
+  EXPECT_EQ(options.steps, 7);
+  EXPECT_EQ(options.overrides, (std::vector<std::string>{"gravity=[0,0,0]", "solver.threads=3"}));
+  EXPECT_EQ(options.record, "a.csv");
+  EXPECT_EQ(options.positions, "b.txt");
+  EXPECT_EQ(options.snapshot, "c.vtu");
+}
+
+TEST(BatchArguments, MistakesAreRefused) {
+  const std::vector<std::vector<std::string>> mistakes = {{},
+                                                          {""},
+                                                          {"a.yaml", "b.yaml"},
+                                                          {"a.yaml", "--step", "3"},
+                                                          {"a.yaml", "--steps"},
+                                                          {"a.yaml", "--steps", ""},
+                                                          {"a.yaml", "--steps", "-1"},
+                                                          {"a.yaml", "--steps", "1e3"},
+                                                          {"a.yaml", "--steps", "3 "},
+                                                          {"a.yaml", "--steps", "10000001"},
+                                                          {"a.yaml", "--steps", "99999999999999999999"},
+                                                          {"a.yaml", "--record"},
+                                                          {"--steps", "3"}};
+  for (const auto& arguments : mistakes) {
+    EXPECT_THROW(parseBatchArguments(arguments), InputError) << (arguments.empty() ? "" : arguments.back());
+  }
+}
+
+TEST_F(Batch, EndsWithOneLineOfJsonWithEveryKey) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "3"}), BatchStatus::DONE) << err_.str();
+  EXPECT_EQ(out_.str().find('\n'), out_.str().size() - 1);
+  const Json line = Json::parse(out_.str());
+  std::set<std::string> keys;
+  for (const auto& [key, value] : line.items()) keys.insert(key);
+  EXPECT_EQ(keys, (std::set<std::string>{
+                      "steps",    "time",           "nodes",          "elements",         "crack_elements", "parts",
+                      "copies",   "dofs",           "cracks",         "pieces",           "piece_volumes",  "mass",
+                      "momentum", "kinetic_energy", "elastic_energy", "max_displacement", "iterations",     "residual",
+                      "step_ms",  "phase_ms",       "contacts",       "peak_rss_mb",      "state_hash"}));
+  EXPECT_EQ(line["steps"], 3);
+  EXPECT_EQ(line["nodes"], 20);
+  EXPECT_EQ(line["elements"], 24);
+  EXPECT_EQ(line["pieces"], 2);
+  EXPECT_EQ(line["cracks"], 1);
+  EXPECT_EQ(line["dofs"].get<int>(), 3 * line["copies"].get<int>());
+  EXPECT_EQ(line["momentum"].size(), 3u);
+  EXPECT_EQ(line["state_hash"].get<std::string>().size(), 16u);
+  EXPECT_GT(line["peak_rss_mb"].get<double>(), 1);
+}
+
+TEST_F(Batch, CutsThatMissAreToldOnStandardError) {
+  run({file("bar.yaml"), "--steps", "3"});
+  EXPECT_NE(err_.str().find("'beside' at 0.02 s missed"), std::string::npos) << err_.str();
+  EXPECT_EQ(err_.str().find("'middle'"), std::string::npos) << err_.str();
+}
+
+TEST_F(Batch, NoStepsOnlyLoadTheScene) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "0"}), BatchStatus::DONE) << err_.str();
+  const Json line = Json::parse(out_.str());
+  EXPECT_EQ(line["steps"], 0);
+  EXPECT_EQ(line["pieces"], 1);
+  EXPECT_EQ(line["max_displacement"], 0);
+}
+
+TEST_F(Batch, RecordHasOneRowAStep) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "4", "--record", file("run.csv")}), BatchStatus::DONE) << err_.str();
+  const std::vector<std::string> rows = lines("run.csv");
+  ASSERT_EQ(rows.size(), 5u);
+  for (const std::string& row : rows) {
+    EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(rows[0].begin(), rows[0].end(), ',')) << row;
+  }
+  EXPECT_EQ(rows[1].substr(0, 2), "1,");
+  EXPECT_EQ(rows[4].substr(0, 2), "4,");
+}
+
+TEST_F(Batch, PositionsHaveOneLineANode) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "4", "--positions", file("end.txt")}), BatchStatus::DONE) << err_.str();
+  const std::vector<std::string> rows = lines("end.txt");
+  ASSERT_EQ(rows.size(), 20u);
+  for (const std::string& row : rows) {
+    std::istringstream numbers(row);
+    double x = NAN, y = NAN, z = NAN;
+    numbers >> x >> y >> z;
+    EXPECT_TRUE(std::isfinite(x + y + z) && numbers.eof()) << row;
+  }
+}
+
+TEST_F(Batch, SnapshotHasAStressForEveryTriangle) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "4", "--snapshot", file("end.vtu")}), BatchStatus::DONE) << err_.str();
+  const std::vector<std::string> rows = lines("end.vtu");
+  std::size_t triangles = 0, stresses = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t count = rows[i].find("NumberOfCells=\"");
+    if (count != std::string::npos) triangles = std::stoul(rows[i].substr(count + 15));
+    if (rows[i].find("Name=\"stress\"") == std::string::npos) continue;
+    while (rows[i + 1 + stresses] != "</DataArray>") ++stresses;
+  }
+  EXPECT_GT(triangles, 0u);
+  EXPECT_EQ(stresses, triangles);
+  EXPECT_EQ(rows.back(), "</VTKFile>");
+}
+
+TEST_F(Batch, BadInputIsOneLineAndStatusTwo) {
+  const std::vector<std::vector<std::string>> bad = {{"--frobnicate"},
+                                                     {file("no_such.yaml")},
+                                                     {file("bar.yaml"), "--set", "solver.time_step=2"},
+                                                     {file("bar.yaml"), "--threads", "many"},
+                                                     {file("bar.yaml"), "--record", file("no/such/folder.csv")},
+                                                     {file("bar.yaml"), "--positions", folder_.string()}};
+  for (const auto& arguments : bad) {
+    EXPECT_EQ(run(arguments), BatchStatus::BAD_INPUT) << arguments.back();
+    EXPECT_EQ(out_.str(), "");
+    EXPECT_EQ(err_.str().find('\n'), err_.str().size() - 1) << err_.str();
+  }
+}
+
+TEST_F(Batch, FullDiskIsStatusOneAndStillReports) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  EXPECT_EQ(run({file("bar.yaml"), "--steps", "2", "--positions", "/dev/full"}), BatchStatus::FAILED);
+  EXPECT_NE(err_.str().find("/dev/full"), std::string::npos);
+  EXPECT_EQ(Json::parse(out_.str())["steps"], 2);
+}
+
+TEST_F(Batch, HelpNamesEveryOption) {
+  EXPECT_EQ(run({"--help"}), BatchStatus::DONE);
+  for (const char* option : {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot"}) {
+    EXPECT_NE(out_.str().find(option), std::string::npos) << option;
+  }
+}
+
+TEST(StepStatistics, QuantilesAreNearestRanks) {
+  StepStatistics statistics;
+  EXPECT_EQ(statistics.quantile(0.5), 0);
+  for (int ms = 100; ms >= 1; --ms) {
+    StepResult step;
+    step.step_ms = ms;
+    step.phase_ms.solve = ms;
+    statistics.add(step);
+  }
+  EXPECT_EQ(statistics.quantile(0.5), 50);
+  EXPECT_EQ(statistics.quantile(0.99), 99);
+  EXPECT_EQ(statistics.quantile(1), 100);
+  EXPECT_EQ(statistics.meanPhases().solve, 50.5);
+}
+
+}  // namespace
+}  // namespace incision

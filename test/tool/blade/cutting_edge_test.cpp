@@ -1,0 +1,167 @@
+#include "incision/tool/blade/cutting_edge.h"
+
+#include <gtest/gtest.h>
+
+#include "support/blade.h"
+#include "support/sanitized.h"
+
+namespace incision {
+namespace {
+
+constexpr double FORCE = 100;   // [N/m]
+constexpr double HEIGHT = 0.1;  // of the block along the edge [m]
+
+/// A block of 0.2 × 0.1 × 0.1 m, held at its far end, and an edge along z through it that comes along x.
+Scene blockAndEdge(int cells = 3, double force = FORCE) {
+  Scene scene;
+  scene.body.grid = GridSettings{{2 * cells, cells, cells}, Vec3(0.2, 0.1, HEIGHT), Vec3(0, -0.05, 0)};
+  scene.body.material = {1e5, 0.3, 1000, 20, 0};
+  scene.gravity = Vec3::Zero();
+  scene.boundary = {{{Vec3(0.2 - 1e-6, -1, -1), Vec3(1, 1, 1)}, Vec3::Zero()}};
+  scene.solver.method = Method::DIRECT;
+  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)}};
+  scene.tool->cutting_force = force;
+  return scene;
+}
+
+constexpr double Y = 0.004;  // off the planes of nodes
+
+/// A body whose blade is pushed along x, with what that took.
+struct Pushed {
+  explicit Pushed(const Scene& scene, double from = -0.02) : body(scene, loadMesh(scene)), x(from) {
+    body.placeTool(poseAt(x, Y));
+  }
+  void to(double end, double speed) {
+    const double dt = body.scene().solver.time_step;
+    const int steps = static_cast<int>(std::ceil(std::abs(end - x) / (speed * dt) - 1e-9));
+    const double move = (end - x) / steps;
+    for (int k = 0; k < steps; ++k) {
+      x += move;
+      body.guideTool({poseAt(x, Y)});
+      report = body.step().tool;
+      work -= report.force.x() * move;
+      most = std::max(most, report.force.norm());
+      momentum += dt * report.force;
+    }
+  }
+  double energy() const { return body.motion().elastic_energy + body.motion().kinetic_energy; }
+
+  DeformableBody body;
+  double x, work = 0, most = 0;
+  Vec3 momentum = Vec3::Zero();  // that the tool has got
+  ToolReport report;
+};
+
+TEST(CuttingEdge, BeforeItComesToTheTissueItFeelsNothing) {
+  Pushed pushed(blockAndEdge());
+  pushed.to(-0.001, 0.05);
+  EXPECT_EQ(pushed.most, 0);
+  EXPECT_FALSE(pushed.report.touching);
+}
+
+TEST(CuttingEdge, BelowTheCuttingForceTheTissueGivesWayLinearlyUncut) {
+  const double force = 4000;
+  Pushed pushed(blockAndEdge(3, force), 0);
+  double first = 0;
+  for (int k = 1; k <= 4; ++k) {
+    const double x = 0.002 * k;
+    pushed.to(x, 0.02);
+    for (int rest = 0; rest < 100; ++rest) pushed.report = pushed.body.step().tool;
+    if (k == 1) first = pushed.report.force.x();
+    EXPECT_LT(pushed.report.force.x(), -1) << x;
+    EXPECT_NEAR(pushed.report.force.x(), k * first, 0.1 * std::abs(k * first)) << x;
+    EXPECT_GT(pushed.report.force.x(), -force * HEIGHT) << x;
+    // It slips a twentieth of what the tissue gives way.
+    EXPECT_LT(pushed.report.stroke_area, 0.1 * HEIGHT * x) << x;
+  }
+}
+
+TEST(CuttingEdge, AdvancesAgainstTheCuttingForceTimesItsLengthInTheTissue) {
+  for (const int cells : {3, 5}) {
+    Pushed pushed(blockAndEdge(cells));
+    pushed.to(0.04, 0.05);
+    for (const double x : {0.05, 0.06, 0.07, 0.09, 0.11}) {
+      pushed.to(x, 0.05);
+      EXPECT_NEAR(pushed.report.force.x(), -FORCE * HEIGHT, 0.03 * FORCE * HEIGHT) << cells << " " << x;
+      EXPECT_LT(pushed.report.force.tail<2>().norm(), 0.05 * FORCE * HEIGHT) << cells << " " << x;
+    }
+  }
+}
+
+TEST(CuttingEdge, TheWorkIsTheAreaTimesTheFractureEnergy) {
+  if (test::SANITIZED) GTEST_SKIP() << "takes minutes under the sanitizers";
+  for (const int cells : {3, 5})
+    for (const double speed : {0.02, 0.1, 0.5}) {
+      Pushed pushed(blockAndEdge(cells));
+      pushed.to(0.03, speed);
+      const double work = pushed.work, energy = pushed.energy(), area = pushed.report.stroke_area;
+      pushed.to(0.13, speed);
+      const double spent = pushed.work - work - (pushed.energy() - energy);
+      const double cut = pushed.report.stroke_area - area;
+      EXPECT_NEAR(spent, FORCE * cut, 0.03 * FORCE * cut) << cells << " " << speed;
+      EXPECT_NEAR(cut, 0.1 * HEIGHT, 0.03 * 0.1 * HEIGHT) << cells << " " << speed;
+    }
+}
+
+TEST(CuttingEdge, TheWorkOfAWholeStrokeCountsFromTheSkin) {
+  for (const int cells : {3, 5}) {
+    Pushed pushed(blockAndEdge(cells));
+    pushed.to(0.06, 0.05);
+    const double spent = pushed.work - pushed.energy(), area = pushed.report.stroke_area;
+    // Below it is what the edge slips elastically; an element's section is known to a hundredth of it.
+    EXPECT_NEAR(spent, FORCE * area, 0.05 * FORCE * area) << cells;
+  }
+}
+
+TEST(CuttingEdge, GoingBackItIsFree) {
+  Pushed pushed(blockAndEdge());
+  pushed.to(0.08, 0.05);
+  const double area = pushed.report.stroke_area;
+  pushed.to(0.07, 0.05);  // the tissue has sprung back
+  pushed.most = 0;
+  pushed.to(-0.02, 0.05);
+  EXPECT_LT(pushed.most, 1e-9 * FORCE);
+  EXPECT_NEAR(pushed.report.stroke_area, area, 1e-3 * area);
+}
+
+TEST(CuttingEdge, InTheSlitOfAnEarlierStrokeItIsFree) {
+  const double force = 0.1;  // so little that the slit lies where the blade has been, within SNAP
+  Pushed pushed(blockAndEdge(3, force));
+  pushed.to(0.08, 0.05);
+  const BodyCounts counts = pushed.body.counts();
+  pushed.body.liftTool();
+  for (int k = 0; k < 200; ++k) pushed.body.step();
+  pushed.x = -0.02;
+  pushed.body.placeTool(poseAt(pushed.x, Y));
+  pushed.most = 0;
+  pushed.to(0.06, 0.05);
+  EXPECT_LT(pushed.most, 0.01 * force * HEIGHT);
+  EXPECT_EQ(pushed.body.counts().parts, counts.parts);
+  EXPECT_EQ(pushed.body.counts().cracks, 1);
+  pushed.to(0.12, 0.05);
+  EXPECT_NEAR(pushed.report.force.x(), -force * HEIGHT, 0.03 * force * HEIGHT);
+}
+
+TEST(CuttingEdge, WithoutACuttingForceItIsFree) {
+  Pushed pushed(blockAndEdge(3, 0));
+  pushed.to(0.08, 0.05);
+  EXPECT_EQ(pushed.most, 0);
+  EXPECT_TRUE(pushed.report.touching);
+  EXPECT_NEAR(pushed.report.stroke_area, 0.08 * HEIGHT, 0.03 * 0.08 * HEIGHT);
+}
+
+TEST(CuttingEdge, BodyAndToolKeepTheirMomentum) {
+  Scene scene = blockAndEdge();
+  scene.boundary.clear();
+  scene.body.material.mass_damping = 0;
+  scene.body.material.stiffness_damping = 0.01;
+  Pushed pushed(scene);
+  const double mass = pushed.body.motion().mass;
+  pushed.to(0.15, 0.5);
+  EXPECT_GT(pushed.report.stroke_area, 0);
+  EXPECT_GT(pushed.momentum.norm(), 0.01);
+  EXPECT_LT((pushed.momentum + pushed.body.motion().momentum).norm(), 1e-10 * mass);
+}
+
+}  // namespace
+}  // namespace incision
