@@ -31,13 +31,11 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
   } else {
     try {
       const CrackField field = fieldOf(plane);
-      const Insertion done = mesh.insert(field);
+      const Insertion done = door.insert(field);
       result.status = done.changed() ? CutStatus::APPLIED : CutStatus::MISSED;
+      if (!done.changed()) result.reason = missedReason(done);
       if (growth && done.changed()) growth->adopt(field, done, mesh);
-      if (done.changed())
-        topologyChanged(done.touched);
-      else
-        result.reason = missedReason(done);
+      door.finish();
       result.cracks = done.changed() ? 1 : 0;
       result.parts_split = done.parts_split;
       result.copies_added = done.copies_added;
@@ -46,18 +44,24 @@ CutResult DeformableBody::State::cut(const PlaneCut& plane) {
       result.reason = limit.what();
     }
   }
-  result.pieces = pieces();
+  result = withPieces(result);
   result.duration = secondsSince(start_time);
   return result;
 }
 
-void DeformableBody::State::applyDue(StepResult* result) {
-  while (!scheduled.empty() && scheduled.front().time <= time() + DUE_TOLERANCE) {
-    const PlaneCut plane = scheduled.front().plane;
-    scheduled.pop_front();
-    result->cuts.push_back(cut(plane));
-  }
-  followScript();
+CutResult DeformableBody::State::withPieces(CutResult cut) const {
+  cut.pieces = pieces();
+  return cut;
+}
+
+std::optional<CutResult> DeformableBody::State::ended(const std::optional<CutResult>& stroke) const {
+  if (!stroke) return std::nullopt;
+  return withPieces(*stroke);
+}
+
+void DeformableBody::State::applyDueCuts() {
+  while (cuts_done < cuts.size() && cuts[cuts_done].time <= time() + DUE_TOLERANCE)
+    reports.cuts.push_back(cut(cuts[cuts_done++].plane));
 }
 
 }  // namespace incision

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <any>
 #include <chrono>
-#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
 
+#include "body_door.h"
 #include "incision/body/deformable_body.h"
-#include "incision/solver/backward_difference.h"
-#include "incision/tool/blade/cutting_edge.h"
-#include "incision/tool/blade/stroke.h"
+#include "incision/contact/body_contact.h"
+#include "incision/fracture/cohesion.h"
+#include "incision/tool/tool.h"
+#include "obstacle_motions.h"
 
 namespace incision {
-
-/// A command due within this [s] of a step's start takes effect before it.
-inline constexpr double DUE_TOLERANCE = 1e-9;
 
 using Clock = std::chrono::steady_clock;
 
@@ -19,80 +21,80 @@ inline double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Where the tool is, and where it goes in the next step.
-struct ToolMotion {
-  std::optional<Pose> pose;  // none: there is no tool in place
-  std::vector<Pose> path;    // evenly in time; empty: it stays
-  Pose from, to;             // of the step being taken
-  bool active = true;        // the blade cuts
+/// What of a body a step that fails may have changed: all but the mesh, and what depends on the mesh alone.
+struct StepMemory {
+  Motion motion;
+  ImplicitStep::Memory step;
+  BackwardDifference::Memory last_steps;
+  std::vector<std::any> couplers;
+  std::vector<std::any> tools;
 };
 
-/// What acts in a step beside the body's own stiffness.
-struct Acting {
-  bool contact = false, cohesion = false, ties = false, edge = false;
+/// What of a body outlasts a step.
+struct BodyMemory {
+  std::int64_t steps = 0;
+  std::size_t cuts_done = 0;
+  CutMesh::Memory mesh;
+  std::optional<CrackGrowth::Memory> growth;
+  std::vector<RigidMotion> obstacles;
+  StepMemory step;
 };
 
 /// What a body is made of. Commands change the mesh, steps the motion.
 struct DeformableBody::State {
-  State(const Scene& s, TetMesh rest, const Descriptions& descriptions);
+  State(const Scene& s, TetMesh rest, const Descriptions& descriptions, const MakeLinearSolver& make_solver);
 
-  void start();
-  void placeNewCopies();
-  void topologyChanged(const std::vector<int>& touched = {});
-  CrackField fieldOf(const PlaneCut& plane) const;
+  void makeTools(const Descriptions& descriptions);
+  void makeCouplers();
+
+  // Commands.
   CutResult cut(const PlaneCut& plane);
-  void guideTool(const std::vector<Pose>& path);
-  void followScript();
-  void startTool();
-  void sweepTool(StepResult* result);
-  ToolReport toolReport() const;
-  void sweepPath(Pose last);
-  const std::vector<Vec3>& positionsWithin(double share);
-  void cutAlong(const Edge& to, const std::vector<Vec3>& x);
-  std::optional<CutResult> endStroke();
-  void applyDue(StepResult* result);
-  void fracture(StepResult* result);
-  const Surface& currentSurface() const;
-  bool advance(double time, double time_step);
-  bool beginCouplings(double time_step);
-  bool updateCouplings(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
-  void acceptCouplings(double time_step);
+  CrackField fieldOf(const PlaneCut& plane) const;
+  void applyDueCuts();
+  CutResult withPieces(CutResult cut) const;
+  std::optional<CutResult> ended(const std::optional<CutResult>& stroke) const;
+
+  // A step.
+  void fracture();
+  bool advance(const StepSpan& span, double time);
   bool advanceFreely(double time, double time_step);
   bool advanceInHalves(double time, double time_step);
-  std::optional<Pose> scriptedPose(double at) const;
+  void endTools();
+  void fillResult(StepResult* result);
+
+  // The memory.
+  StepMemory keepStep() const;
+  void recallStep(const StepMemory& memory);
+  BodyMemory keep() const;
+  void recall(const BodyMemory& memory);
+
   std::vector<int> pieceOf(int* pieces) const;
   int pieces() const;
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
 
   Scene scene;
+  std::vector<ScheduledCut> cuts;  // of the scene, by time
   CutMesh mesh;
+  Materials materials;
   ImplicitStep step;
-  BackwardDifference past;  // for steps of second order
+  BackwardDifference last_steps;  // for steps of second order
   Motion motion;
   std::int64_t steps = 0;
-  std::deque<ScheduledCut> scheduled;  // by time; equal times in the order they came
-  Edge edge;                           // of the blade, in its link's frame
-  ToolMotion tool;
+  std::size_t cuts_done = 0;
+  CurrentSurface surface;
+  Obstacles obstacles;
+  ObstacleMotions obstacle_motions;
+  ContactSkin skin;
   std::optional<CrackGrowth> growth;  // where the scene lets the body break
-  std::optional<Cohesion> cohesion;   // where opening a crack takes energy
-  std::optional<Contact> contact;     // where the scene lets the body touch
-  LinkMotion links;                   // of the obstacles, from the step's start to its end
-  ContactReport touching;
-  double contact_ms = 0;  // to find what may touch in the step
-  Stroke stroke;
-  CutResult stroke_result;
-  double area_before = 0;  // cut before the stroke [m²]
-  double last_area = 0;    // by the last stroke that ended [m²]
-  // Where there is a tool:
-  std::optional<Ties> ties;
-  std::optional<CuttingEdge> cutting;
-  Wrench on_tool;  // in the last step, in the frame of its link, with the levers of the start as all forces have
-  Acting acting;
-  std::vector<Vec3> x_within;  // positionsWithin a step, kept for its memory
-  std::uint64_t topology_version = 0;
-  std::uint64_t contact_version = 0;
-  mutable Surface surface;
-  mutable std::uint64_t surface_version = 0;
+  std::vector<std::unique_ptr<Tool>> tools;
+  std::vector<std::unique_ptr<Coupler>> own_couplers;  // those that are not a tool's
+  Cohesion* cohesion = nullptr;                        // where opening a crack takes energy
+  std::vector<const Contact*> contacts;                // all of them, for the report
+  Couplers couplers;
+  BodyDoor door;
+  Reports reports;         // of what has happened and nobody has taken yet
+  double coupling_ms = 0;  // to find what may act in the step
+  BodyMemory at_start;
 };
 
 }  // namespace incision

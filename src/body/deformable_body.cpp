@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "body_state.h"
 
@@ -24,8 +25,9 @@ class Hash {
 
 }  // namespace
 
-DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions)
-    : state_(std::make_unique<State>(scene, std::move(mesh), descriptions)) {}
+DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions,
+                               const MakeLinearSolver& make_solver)
+    : state_(std::make_unique<State>(scene, std::move(mesh), descriptions, make_solver)) {}
 
 DeformableBody::~DeformableBody() = default;
 
@@ -33,86 +35,78 @@ StepResult DeformableBody::step() {
   State& s = *state_;
   const auto start = Clock::now();
   StepResult result;
-  s.applyDue(&result);
+  s.applyDueCuts();
   result.phase_ms.cut = 1e3 * secondsSince(start);
   if (s.growth) {
     const auto fracturing = Clock::now();
-    s.fracture(&result);
+    s.fracture();
     result.phase_ms.fracture = 1e3 * secondsSince(fracturing);
   }
 
-  s.startTool();
   const double dt = s.scene.solver.time_step, t = s.time();
-  if (!s.advance(t, dt) && !s.advanceInHalves(t, dt)) {
+  for (const auto& tool : s.tools) tool->startStep(t, dt, s.motion.x);
+  if (!s.advance({dt}, t) && !s.advanceInHalves(t, dt)) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
                      " s failed, also in two halves: the system is not positive definite or a value is not finite");
   }
   ++s.steps;
   if (s.growth) s.growth->stepTaken();
-  if (s.tool.pose) {
-    const auto sweeping = Clock::now();
-    s.sweepTool(&result);
-    result.phase_ms.cut += 1e3 * secondsSince(sweeping);
-  }
-  result.contact = s.touching;
-  result.tool = s.toolReport();
-  result.iterations = s.step.stats().iterations;
-  result.residual = s.step.stats().residual;
-  result.phase_ms.contact = s.contact_ms;
-  result.phase_ms.assembly = s.step.times().assembly;
-  result.phase_ms.solve = s.step.times().solve;
-  result.phase_ms.update = s.step.times().update;
+  s.obstacle_motions.endStep();
+  const auto cutting = Clock::now();
+  s.endTools();
+  if (!s.tools.empty()) result.phase_ms.cut += 1e3 * secondsSince(cutting);
+  s.fillResult(&result);
   result.step_ms = 1e3 * secondsSince(start);
   return result;
 }
 
+void DeformableBody::State::fillResult(StepResult* result) {
+  Reports taken = std::exchange(reports, Reports());
+  result->cuts = std::move(taken.cuts);
+  result->cracks = std::move(taken.cracks);
+  for (const Contact* contact : contacts) result->contact.add(contact->report());
+  for (const auto& tool : tools) result->tools.push_back(tool->report());
+  result->iterations = step.stats().iterations;
+  result->residual = step.stats().residual;
+  result->phase_ms.contact = coupling_ms;
+  result->phase_ms.assembly = step.times().assembly;
+  result->phase_ms.solve = step.times().solve;
+  result->phase_ms.update = step.times().update;
+}
+
+Reports DeformableBody::takeReports() { return std::exchange(state_->reports, Reports()); }
+
 CutResult DeformableBody::cut(const PlaneCut& plane) { return state_->cut(plane); }
 
-void DeformableBody::schedule(const ScheduledCut& cut) {
-  auto& scheduled = state_->scheduled;
-  const auto later = std::upper_bound(scheduled.begin(), scheduled.end(), cut.time,
-                                      [](double t, const ScheduledCut& other) { return t < other.time; });
-  scheduled.insert(later, cut);
+std::size_t DeformableBody::tools() const { return state_->tools.size(); }
+
+void DeformableBody::guideTool(const std::vector<Pose>& path, std::size_t tool) { state_->tools.at(tool)->guide(path); }
+
+std::optional<CutResult> DeformableBody::placeTool(const Pose& pose, std::size_t tool) {
+  return state_->ended(state_->tools.at(tool)->place(pose));
 }
 
-void DeformableBody::guideTool(const std::vector<Pose>& path) { state_->guideTool(path); }
-
-std::optional<CutResult> DeformableBody::placeTool(const Pose& pose) {
-  state_->tool.pose = pose;
-  state_->tool.path.clear();
-  return state_->endStroke();
+std::optional<CutResult> DeformableBody::liftTool(std::size_t tool) {
+  return state_->ended(state_->tools.at(tool)->lift());
 }
 
-std::optional<CutResult> DeformableBody::liftTool() {
-  state_->tool.pose.reset();
-  state_->tool.path.clear();
-  return state_->endStroke();
+std::optional<CutResult> DeformableBody::activateTool(bool active, std::size_t tool) {
+  return state_->ended(state_->tools.at(tool)->activate(active));
 }
 
-std::optional<CutResult> DeformableBody::activateTool(bool active) {
-  if (active == state_->tool.active) return std::nullopt;
-  state_->tool.active = active;
-  return state_->endStroke();
-}
+const std::optional<Pose>& DeformableBody::toolPose(std::size_t tool) const { return state_->tools.at(tool)->pose(); }
 
-const std::optional<Pose>& DeformableBody::toolPose() const { return state_->tool.pose; }
+const Edge* DeformableBody::toolEdge(std::size_t tool) const { return state_->tools.at(tool)->edge(); }
 
-const Obstacles& DeformableBody::obstacles() const {
-  static const Obstacles none;
-  return state_->contact ? state_->contact->obstacles() : none;
-}
+const Obstacles& DeformableBody::toolShapes(std::size_t tool) const { return state_->tools.at(tool)->shapes(); }
 
-void DeformableBody::moveObstacle(int link, const Pose& pose) { state_->links.to[link] = pose; }
+const Obstacles& DeformableBody::obstacles() const { return state_->obstacles; }
 
-void DeformableBody::placeObstacle(int link, const Pose& pose) {
-  state_->links.from[link] = state_->links.to[link] = pose;
-}
+void DeformableBody::moveObstacle(int link, const Pose& pose) { state_->obstacle_motions.move(link, pose); }
 
-void DeformableBody::reset() {
-  state_->mesh = CutMesh(state_->mesh.mesh(), state_->mesh.threads());
-  state_->step.reset();
-  state_->start();
-}
+void DeformableBody::placeObstacle(int link, const Pose& pose) { state_->obstacle_motions.place(link, pose); }
+
+void DeformableBody::reset() { state_->recall(state_->at_start); }
 
 const Scene& DeformableBody::scene() const { return state_->scene; }
 const CutMesh& DeformableBody::mesh() const { return state_->mesh; }
@@ -177,9 +171,9 @@ std::vector<Mat3> DeformableBody::partStress() const {
   return stress;
 }
 
-const Surface& DeformableBody::surface() const { return state_->currentSurface(); }
+const Surface& DeformableBody::surface() const { return state_->surface.get(); }
 
-std::uint64_t DeformableBody::topologyVersion() const { return state_->topology_version; }
+std::uint64_t DeformableBody::topologyVersion() const { return state_->surface.version(); }
 
 std::uint64_t DeformableBody::stateHash() const {
   const State& s = *state_;

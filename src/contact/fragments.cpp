@@ -168,10 +168,10 @@ Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& p
   made.gap = pair.gap;
   made.drift.setZero();
   made.slip.setZero();
-  made.side.setZero();
+  made.normal_in_solid.setZero();
   made.size = surface.size[sample.vertex];
   made.stiffness = share * stiffness * sample.area / made.size;
-  made.held = heldBy(surface, pair);
+  made.point = heldBy(surface, pair);
   return made;
 }
 

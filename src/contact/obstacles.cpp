@@ -49,15 +49,12 @@ Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf
   return obstacles;
 }
 
-void addTool(const ToolBody& tool, const std::string& urdf, const std::string& name, Obstacles* obstacles) {
+Obstacles loadLink(const std::string& link, const std::string& urdf, const std::string& name) {
+  Obstacles obstacles;
   const std::vector<DescribedLink> links = parseDescription(urdf, name);
-  const DescribedLink& link = findLink(links, tool.link, name);
-  const std::size_t others = obstacles->shapes.size();
-  addLink(link, linkInMessage(name, link.name), obstacles);
-  if (obstacles->shapes.size() == others) return;
-  checkCount(obstacles->shapes.size(), name);
-  obstacles->tool_link = static_cast<int>(obstacles->links.size()) - 1;
-  obstacles->tool = tool;
+  addLink(findLink(links, link, name), linkInMessage(name, link), &obstacles);
+  if (!obstacles.shapes.empty()) checkCount(obstacles.shapes.size(), name);
+  return obstacles;
 }
 
 }  // namespace incision

@@ -109,6 +109,15 @@ bool CutMesh::severed(int part, int face, int other, int other_face) const {
   return false;
 }
 
+void CutMesh::recall(const Memory& memory) {
+  parts_ = memory.parts;
+  details_ = memory.details;
+  copy_node_ = memory.copy_node;
+  copy_parent_ = memory.copy_parent;
+  own_copy_ = memory.own_copy;
+  num_cracks_ = memory.num_cracks;
+}
+
 std::vector<int> CutMesh::copyPieces(int* num_pieces) const {
   std::vector<int> link(numCopies());
   std::iota(link.begin(), link.end(), 0);

@@ -19,104 +19,98 @@ constexpr double SLOPE_TOLERANCE = 0.02;
 
 }  // namespace
 
-Cohesion::Cohesion(const FractureSettings& settings, double young_modulus)
-    : strength_(settings.tensile_strength), energy_(*settings.fracture_energy), young_modulus_(young_modulus) {}
+Cohesion::Cohesion(const FractureSettings& settings, const Materials& materials)
+    : strength_(settings.tensile_strength), energy_(*settings.fracture_energy), materials_(materials) {}
 
 void Cohesion::add(const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  const double last = 2 * energy_ / strength_;
   for (int p : done.parts) {
     const Part& part = mesh.parts()[p];
     const Polytope& polytope = mesh.polytope(p);
     const Facet* facet = facetOf(polytope, done.crack);
     if (!facet) continue;
-    Held held;
-    held.section = sectionOf(mesh, p, *facet);
-    held.area = vectorArea(polytope, *facet, [&](const Barycentric& b) { return at(part, b, x); }).norm();
-    held.steepest = std::max(STEEPNESS * young_modulus_ / std::cbrt(elementVolume(mesh.mesh(), part.element)),
-                             LEAST_STEEPNESS * strength_ / last);
-    held_.push_back(held);
+    Bond bond;
+    bond.section = sectionOf(mesh, p, *facet);
+    bond.area = vectorArea(polytope, *facet, [&](const Barycentric& b) { return at(part, b, x); }).norm();
+    bond.steepest =
+        std::max(STEEPNESS * materials_.stiffness(part.element), LEAST_STEEPNESS * strength_ / lastOpening());
+    memory_.bonds.push_back(bond);
   }
 }
 
-void Cohesion::topologyChanged(const CutMesh& mesh) {
-  const auto torn = [&](Held& held) { return !findSides(mesh, &held.section); };
-  held_.erase(std::remove_if(held_.begin(), held_.end(), torn), held_.end());
+void Cohesion::changed(const CutMesh& mesh) {
+  const auto torn = [&](Bond& bond) { return !findSides(mesh, &bond.section); };
+  memory_.bonds.erase(std::remove_if(memory_.bonds.begin(), memory_.bonds.end(), torn), memory_.bonds.end());
 }
 
-// Below δ_0 = σ_t / κ the traction is κ δ; beyond, σ_t (δ_c − δ) / (δ_c − δ_0). The triangle's area is σ_t δ_c / 2 = G
-// whatever κ is. A section that has been open by δ keeps to the line from zero to the traction there.
-double Cohesion::slope(const Held& held, double opening) const {
-  const double rise = strength_ / held.steepest, last = 2 * energy_ / strength_;
-  const double opened = std::max(held.opened, opening);
-  if (opened <= rise) return held.steepest;
+/// Below δ_0 = σ_t / κ the traction is κ δ; beyond, σ_t (δ_c − δ) / (δ_c − δ_0). The triangle's area is σ_t δ_c / 2 = G
+/// whatever κ is. A section that has been open by δ keeps to the line from zero to the traction there.
+double Cohesion::slope(const Bond& bond, double opening) const {
+  const double rise = strength_ / bond.steepest, last = lastOpening();
+  const double opened = std::max(bond.opened, opening);
+  if (opened <= rise) return bond.steepest;
   return opened < last ? strength_ * (last - opened) / ((last - rise) * opened) : 0;
 }
 
-Vec3 Cohesion::openingAt(const Held& held, const std::vector<Vec3>& values) const {
-  Vec3 y = Vec3::Zero();
-  for (int i = 0; i < 8; ++i) y += held.weights[i] * values[held.copies[i]];
-  return y;
-}
-
-void Cohesion::begin(const CutMesh& mesh, const std::vector<Vec3>& x) {
-  for (Held& held : held_) {
-    const Part &plus = mesh.parts()[held.section.plus], &minus = mesh.parts()[held.section.minus];
-    for (int I = 0; I < 4; ++I) {
-      held.copies[I] = plus.copies[I];
-      held.copies[4 + I] = minus.copies[I];
-      held.weights[I] = held.section.point[I];
-      held.weights[4 + I] = -held.section.point[I];
-    }
-    held.start = openingAt(held, x);
-    held.parted = plus.copies != minus.copies;
-    const Polytope& polytope = mesh.polytope(held.section.plus);
-    const auto placed = [&](const Barycentric& b) { return at(plus, b, x); };
-    held.normal = -vectorArea(polytope, *facetOf(polytope, held.section.crack), placed).stableNormalized();
-    held.used = slope(held, 0);
+bool Cohesion::begin(const StepStart& start) {
+  stretches_.resize(memory_.bonds.size());
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    const Section& section = memory_.bonds[i].section;
+    const Part &plus = start.mesh.parts()[section.plus], &minus = start.mesh.parts()[section.minus];
+    Stretch& stretch = stretches_[i];
+    stretch.bonded = Coupling();
+    for (int I = 0; I < 4; ++I) stretch.bonded.add(plus.copies[I], section.point[I]);
+    for (int I = 0; I < 4; ++I) stretch.bonded.add(minus.copies[I], -section.point[I]);
+    stretch.parted = plus.copies != minus.copies;
+    stretch.start = weightedSum(stretch.bonded, start.motion.x);
+    const Polytope& polytope = start.mesh.polytope(section.plus);
+    const auto placed = [&](const Barycentric& b) { return at(plus, b, start.motion.x); };
+    stretch.normal = -vectorArea(polytope, *facetOf(polytope, section.crack), placed).stableNormalized();
+    stretch.slope = slope(memory_.bonds[i], 0);
   }
+  return !stretches_.empty();
 }
 
-bool Cohesion::update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
-  bool changed = false;
-  for (Held& held : held_) {
-    const Vec3 y = held.start + time_step * openingAt(held, v_end), n = held.normal;
+bool Cohesion::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) {
+  bool differ = false;
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    const Bond& bond = memory_.bonds[i];
+    Stretch& stretch = stretches_[i];
+    const Vec3 y = stretch.start + span.time_step * weightedSum(stretch.bonded, v_end), n = stretch.normal;
     const bool pressed = n.dot(y) < 0;
-    const double k = slope(held, (pressed ? Vec3(y - n.dot(y) * n) : y).norm());
-    changed = changed || std::abs(k - held.used) > SLOPE_TOLERANCE * std::max(k, held.used);
-    held.used = k;
-    if (!held.parted) continue;
-    Coupling coupling;
-    coupling.stiffness = held.area * k * Mat3::Identity();
-    if (pressed) coupling.stiffness += held.area * (held.steepest - k) * n * n.transpose();
-    coupling.force = -coupling.stiffness * held.start;
-    for (int i = 0; i < 8; ++i) coupling.add(held.copies[i], held.weights[i]);
-    couplings->push_back(coupling);
+    const double k = slope(bond, (pressed ? Vec3(y - n.dot(y) * n) : y).norm());
+    differ = differ || std::abs(k - stretch.slope) > SLOPE_TOLERANCE * std::max(k, stretch.slope);
+    stretch.slope = k;
+    if (!stretch.parted) continue;
+    Coupling spring = stretch.bonded;
+    spring.stiffness = bond.area * k * Mat3::Identity();
+    if (pressed) spring.stiffness += bond.area * (bond.steepest - k) * n * n.transpose();
+    spring.force = -spring.stiffness * stretch.start;
+    springs->push_back(spring);
   }
-  return changed;
+  return differ;
 }
 
-void Cohesion::accept(const std::vector<Vec3>& x) {
-  const double last = 2 * energy_ / strength_;
-  for (Held& held : held_) {
-    const Vec3 y = openingAt(held, x);
-    const double along = std::min(0.0, held.normal.dot(y));
-    held.opened = std::max(held.opened, (y - along * held.normal).norm());
-    if (held.opened >= last) spent_ += held.area * energy_;
+void Cohesion::accept(const StepSpan& /*span*/, const Motion& end, const Wrench& /*felt*/) {
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    Bond& bond = memory_.bonds[i];
+    const Vec3 y = weightedSum(stretches_[i].bonded, end.x), n = stretches_[i].normal;
+    bond.opened = std::max(bond.opened, (y - std::min(0.0, n.dot(y)) * n).norm());
+    if (bond.opened >= lastOpening()) memory_.spent += bond.area * energy_;
   }
-  const auto open = [&](const Held& held) { return held.opened >= last; };
-  held_.erase(std::remove_if(held_.begin(), held_.end(), open), held_.end());
+  const auto open = [&](const Bond& bond) { return bond.opened >= lastOpening(); };
+  memory_.bonds.erase(std::remove_if(memory_.bonds.begin(), memory_.bonds.end(), open), memory_.bonds.end());
 }
 
 /// The area under the curve up to `opened`, less the triangle that closing gives back.
-double Cohesion::energyOf(const Held& held) const {
-  const double rise = strength_ / held.steepest, last = 2 * energy_ / strength_;
-  if (held.opened <= rise) return 0;
-  return held.area * strength_ * last * (held.opened - rise) / (2 * (last - rise));
+double Cohesion::energyOf(const Bond& bond) const {
+  const double rise = strength_ / bond.steepest, last = lastOpening();
+  if (bond.opened <= rise) return 0;
+  return bond.area * strength_ * last * (bond.opened - rise) / (2 * (last - rise));
 }
 
 double Cohesion::dissipated() const {
-  double sum = spent_;
-  for (const Held& held : held_) sum += energyOf(held);
+  double sum = memory_.spent;
+  for (const Bond& bond : memory_.bonds) sum += energyOf(bond);
   return sum;
 }
 

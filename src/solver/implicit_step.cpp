@@ -22,7 +22,7 @@ constexpr int FALLBACK_STEPS = 20;
 /// Solves in a step at most. Contacts that close and part mostly settle after one or two.
 constexpr int MAX_SOLVES = 8;
 
-/// A search along a step ends where less than this share of the drive at its start is left, or after so many trials.
+/// A line search ends where less than this share of the slope at its start is left, or after so many trials.
 constexpr double SEARCH_TOLERANCE = 0.1;
 constexpr int MAX_SEARCH = 12;
 
@@ -33,58 +33,63 @@ bool allFinite(const std::vector<Vec3>& values) {
 }  // namespace
 
 ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
-                           const BoundaryConditions& conditions, const SolverSettings& settings)
+                           const BoundaryConditions& conditions, const SolverSettings& settings,
+                           MakeLinearSolver make_solver)
     : mesh_(mesh),
       conditions_(conditions),
       settings_(settings),
+      make_solver_(std::move(make_solver)),
       assembly_(mesh, material, mass, pressure, warping, settings.threads),
-      solver_(makeLinearSolver(settings, warping)),
+      solver_(make_solver_(settings, warping)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
 
 void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>& touched) {
   assembly_.topologyChanged(motion.x, touched);
   touched_.insert(touched_.end(), touched.begin(), touched.end());
   piece_ = mesh_.copyPieces(&pieces_);
-  group_ = piece_;
+  memory_.group = piece_;
   held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
-  for (int c = static_cast<int>(dv_.size()); c < mesh_.numCopies(); ++c)
-    dv_.push_back(mesh_.copyParent(c) < c ? Vec3(dv_[mesh_.copyParent(c)]) : Vec3::Zero());
-  for (std::vector<Vec3>& differences : basis_)
+  dv_.resize(mesh_.numCopies(), Vec3::Zero());
+  for (std::vector<Vec3>& differences : memory_.basis)
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
       differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
   topology_known_ = false;
-  fallback_steps_ = 0;
+  memory_.fallback_steps = 0;
 }
 
 void ImplicitStep::reset() {
   assembly_.reset();
-  solver_ = makeLinearSolver(settings_, assembly_.warping());
+  solver_ = make_solver_(settings_, assembly_.warping());
   fallback_.reset();
   touched_.clear();
-  basis_ = Basis();
+  memory_ = Memory();
   dv_.clear();
 }
 
-bool ImplicitStep::advance(double time, double time_step, Motion* motion, const Couple& couple,
+void ImplicitStep::recall(const Memory& memory) {
+  topology_known_ =
+      topology_known_ && memory.group == memory_.group && (memory.fallback_steps > 0) == (memory_.fallback_steps > 0);
+  memory_ = memory;
+}
+
+bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couplers* couplers,
                            const std::vector<Vec3>* turned) {
   const auto start = std::chrono::steady_clock::now();
+  fallback_steps_at_start_ = memory_.fallback_steps;
+  group_at_start_.clear();
   assembly_.rotate(turned ? *turned : motion->x);
-  if (fallback_steps_ > 0 && --fallback_steps_ == 0) topology_known_ = false;
+  if (memory_.fallback_steps > 0 && --memory_.fallback_steps == 0) topology_known_ = false;
   prepareMatrix(time_step, *motion);
   times_.assembly = millisecondsSince(start);
 
   const auto solving = std::chrono::steady_clock::now();
-  externalForces(time + time_step);
-  for (int c = 0; c < mesh_.numCopies(); ++c)
-    if (held_[c] >= 0) dv_[c] = conditions_.holds[held_[c]].velocity - motion->v[c];
-  const bool solved = solveCoupled(time_step, *motion, couple);
+  const bool solved = trySolve(time, time_step, *motion, couplers);
   times_.solve = millisecondsSince(solving);
 
   const auto updating = std::chrono::steady_clock::now();
   if (!solved || !allFinite(dv_)) {
-    for (std::vector<Vec3>& differences : basis_) differences.assign(differences.size(), Vec3::Zero());
-    for (Vec3& dv : dv_) dv.setZero();
+    giveUp();
     return false;
   }
   remember();
@@ -96,68 +101,95 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion, const 
   return true;
 }
 
-/// Solves, and again as long as that changes the couplings, with the last solution as a guess. What else acts on the
-/// body is affine in Δv; so between two solutions the impulses that bring it there are between theirs, whatever
-/// couplings there may be at that point.
-bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, const Couple& couple) {
-  couplings_.clear();
-  on_tool_ = Wrench();
-  if (couple) updateCouplings(time_step, motion, couple);
+/// The memory is as it was before the step; nothing that is not finite is left in the scratch.
+void ImplicitStep::giveUp() {
+  memory_.fallback_steps = fallback_steps_at_start_;
+  if (!group_at_start_.empty()) memory_.group = group_at_start_;
+  topology_known_ = false;
+  for (Vec3& dv : dv_) dv.setZero();
+}
+
+bool ImplicitStep::trySolve(double time, double time_step, const Motion& motion, Couplers* couplers) {
+  externalForces(time + time_step);
+  for (int c = 0; c < mesh_.numCopies(); ++c) {
+    if (held_[c] >= 0)
+      dv_[c] = conditions_.holds[held_[c]].velocity - motion.v[c];
+    else if (couplers)
+      dv_[c] = memory_.basis[0][c];  // a guess, for which they find their springs
+  }
+  return solveCoupled(time_step, motion, couplers);
+}
+
+const std::vector<Coupling>& ImplicitStep::springs() const {
+  static const std::vector<Coupling> none;
+  return springs_ ? *springs_ : none;
+}
+
+/// Solves, and again as long as that changes the springs, with the last solution as a guess. What else acts on the body
+/// is affine in Δv; so between two solutions the impulses that bring it there are between theirs, whatever springs
+/// there may be at that point.
+bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, Couplers* couplers) {
+  springs_ = couplers ? &couplers->springs() : nullptr;
+  felt_.clear();
+  if (couplers) updateSprings(motion, couplers);
   stats_ = SolveStats();
   int iterations = 0;
   for (int k = 0; k < MAX_SOLVES; ++k) {
     const bool joined = joinGroups();
     if (joined) prepare(current(), true, time_step, motion);
-    if (joined || !matrix_known_ || was_coupled_ || !couplings_.empty())
-      matrix_known_ = current()->couplingsChanged(couplings_, time_step);
-    was_coupled_ = !couplings_.empty();
+    if (joined || !matrix_known_ || had_springs_ || !springs().empty())
+      matrix_known_ = current()->couplingsChanged(springs(), time_step);
+    had_springs_ = !springs().empty();
     if (!matrix_known_) return false;
     if (k > 0) {
-      again_basis_ = basis_;
-      again_basis_[0] = dv_before_ = dv_;
+      again_basis_ = memory_.basis;
+      again_basis_[0] = search_start_ = dv_;
     }
-    stats_ = solve(time_step, motion, k > 0 ? again_basis_ : basis_);
+    stats_ = solve(time_step, motion, k > 0 ? again_basis_ : memory_.basis);
     iterations += stats_.iterations;
     stats_.iterations = iterations;
     if (!stats_.converged) return false;
-    if (!couple) return true;
+    if (!couplers) return true;
     findEnd(motion);
-    const Wrench before = std::exchange(on_tool_, toolWrench(couplings_, time_step, motion.x, v_end_));
-    if (!updateCouplings(time_step, motion, couple)) return true;
-    if (k > 0) on_tool_ = between(before, on_tool_, stepBack(time_step, motion, couple));
+    felt_at_start_.swap(felt_);
+    couplers->findWrenches(motion.x, v_end_, &felt_);
+    if (!updateSprings(motion, couplers)) return true;
+    if (k == 0) continue;
+    const double share = searchLine(time_step, motion, couplers);
+    for (std::size_t i = 0; i < felt_.size(); ++i) felt_[i] = between(felt_at_start_[i], felt_[i], share);
   }
   return true;
 }
 
-/// Where the couplings at the new Δv drive it back, it has gone too far from the last one: takes the point between at
-/// which they drive it nowhere along that line. The forces of contacts descend from a convex potential, so this ends
+/// Where the springs at the new Δv drive it back, it has gone too far from the last one: takes the point between at
+/// which they drive it nowhere along that line. The forces of springs descend from a convex potential, so this ends
 /// circles in which contacts close and part in turn, and what the last solve leaves is no worse than what it began
 /// with. Returns the share of the way to the new Δv.
-double ImplicitStep::stepBack(double time_step, const Motion& motion, const Couple& couple) {
-  towards_ = dv_;
-  for (std::size_t c = 0; c < dv_.size(); ++c) towards_[c] -= dv_before_[c];
-  const auto driveAt = [&](double share) {
-    for (std::size_t c = 0; c < dv_.size(); ++c) dv_[c] = dv_before_[c] + share * towards_[c];
-    updateCouplings(time_step, motion, couple);
-    return drive(time_step, motion);
+double ImplicitStep::searchLine(double time_step, const Motion& motion, Couplers* couplers) {
+  search_direction_ = dv_;
+  for (std::size_t c = 0; c < dv_.size(); ++c) search_direction_[c] -= search_start_[c];
+  const auto slopeAt = [&](double share) {
+    for (std::size_t c = 0; c < dv_.size(); ++c) dv_[c] = search_start_[c] + share * search_direction_[c];
+    updateSprings(motion, couplers);
+    return slopeAlongSearch(time_step, motion);
   };
-  if (!(drive(time_step, motion) < 0)) return 1;
-  const double at_start = driveAt(0);
+  if (!(slopeAlongSearch(time_step, motion) < 0)) return 1;
+  const double at_start = slopeAt(0);
   double near = 0, far = 1, share = 1;
   for (int k = 0; k < MAX_SEARCH; ++k) {
     share = (near + far) / 2;
-    const double here = driveAt(share);
+    const double here = slopeAt(share);
     if (std::abs(here) < SEARCH_TOLERANCE * at_start) break;
     (here > 0 ? near : far) = share;
   }
   return share;
 }
 
-/// How the forces at Δv drive it on along the last step.
-double ImplicitStep::drive(double time_step, const Motion& motion) {
-  residual(time_step, motion, dv_, &drive_);
+/// How the forces at Δv drive it on along the line search.
+double ImplicitStep::slopeAlongSearch(double time_step, const Motion& motion) {
+  residual(time_step, motion, dv_, &search_residual_);
   double sum = 0;
-  for (std::size_t c = 0; c < dv_.size(); ++c) sum += drive_[c].dot(towards_[c]);
+  for (std::size_t c = 0; c < dv_.size(); ++c) sum += search_residual_[c].dot(search_direction_[c]);
   return sum;
 }
 
@@ -167,22 +199,23 @@ void ImplicitStep::findEnd(const Motion& motion) {
   for (std::size_t c = 0; c < v_end_.size(); ++c) v_end_[c] = motion.v[c] + dv_[c];
 }
 
-bool ImplicitStep::updateCouplings(double time_step, const Motion& motion, const Couple& couple) {
+bool ImplicitStep::updateSprings(const Motion& motion, Couplers* couplers) {
   findEnd(motion);
-  return couple(time_step, v_end_, &couplings_);
+  return couplers->update(v_end_);
 }
 
-/// Joins the groups of pieces that a coupling holds against each other; returns whether that changed any. Groups only
+/// Joins the groups of pieces that a spring lies between; returns whether that changed any. Groups only
 /// grow until the topology changes: pieces that lie on each other often come and go, and a solver takes time to turn.
 bool ImplicitStep::joinGroups() {
   bool joined = false;
-  for (const Coupling& coupling : couplings_) {
+  for (const Coupling& coupling : springs()) {
     int group = -1;
     for (int i = 0; i < coupling.count; ++i) {
       if (held_[coupling.copies[i]] >= 0) continue;
-      const int other = group_[coupling.copies[i]];
+      const int other = memory_.group[coupling.copies[i]];
       if (group >= 0 && other != group) {
-        std::replace(group_.begin(), group_.end(), std::max(group, other), std::min(group, other));
+        if (group_at_start_.empty()) group_at_start_ = memory_.group;
+        std::replace(memory_.group.begin(), memory_.group.end(), std::max(group, other), std::min(group, other));
         joined = true;
       }
       group = group < 0 ? other : std::min(group, other);
@@ -195,7 +228,7 @@ bool ImplicitStep::joinGroups() {
 void ImplicitStep::remember() {
   parallelFor(mesh_.numCopies(), settings_.threads, [&](int c) {
     Vec3 next = dv_[c];
-    for (std::vector<Vec3>& differences : basis_) {
+    for (std::vector<Vec3>& differences : memory_.basis) {
       const Vec3 last = differences[c];
       differences[c] = next;
       next -= last;
@@ -207,7 +240,7 @@ void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
   const bool new_system = !topology_known_ || time_step != matrix_time_step_;
   if (!new_system && matrix_known_ && !assembly_.warping()) return;
   prepare(current(), new_system, time_step, motion);
-  if (fallback_steps_ == 0) touched_.clear();
+  if (memory_.fallback_steps == 0) touched_.clear();
   matrix_known_ = false;
   topology_known_ = true;
   matrix_time_step_ = time_step;
@@ -219,7 +252,7 @@ void ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_st
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
     solver->systemChanged(
-        assembly_, {held, piece_, group_, touched_},
+        assembly_, {held, piece_, memory_.group, touched_},
         {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
   }
   solver->matrixChanged(motion.x);
@@ -235,13 +268,13 @@ SolveStats ImplicitStep::solve(double time_step, const Motion& motion, const Bas
   };
   const Residual r = std::cref(evaluate);  // a reference fits into it: no allocation
 
-  if (fallback_steps_ > 0) return fallback_->solve(r, rounding_, basis, &dv_);
+  if (memory_.fallback_steps > 0) return fallback_->solve(r, rounding_, basis, &dv_);
   SolveStats stats = solver_->solve(r, rounding_, basis, &dv_);
   if (stats.converged) return stats;
   if (!fallback_) fallback_ = std::make_unique<DirectSolver>();
-  fallback_steps_ = FALLBACK_STEPS;
+  memory_.fallback_steps = FALLBACK_STEPS;
   prepare(fallback_.get(), true, time_step, motion);
-  if (!fallback_->couplingsChanged(couplings_, time_step)) return stats;
+  if (!fallback_->couplingsChanged(springs(), time_step)) return stats;
   const int iterations = stats.iterations;
   stats = fallback_->solve(r, rounding_, basis, &dv_);
   stats.iterations = iterations;
@@ -278,9 +311,9 @@ void ImplicitStep::residual(double time_step, const Motion& motion, const std::v
     const Vec3 inertia = assembly_.consistentMass() ? inertia_[c] : Vec3(assembly_.masses()[c] * inertial(c));
     (*r)[c] = time_step * (external_[c] - (*r)[c]) - inertia;
   });
-  if (couplings_.empty()) return;
+  if (springs().empty()) return;
   for (int c = 0; c < copies; ++c) y_[c] = motion.v[c] + dv[c];
-  addImpulses(couplings_, time_step, y_, r);
+  addImpulses(springs(), time_step, y_, r);
 }
 
 }  // namespace incision

@@ -6,7 +6,7 @@
 
 #include "incision/base/input_error.h"
 #include "incision/contact/obstacles.h"
-#include "incision/tool/blade.h"
+#include "incision/tool/settings.h"
 
 namespace {
 

@@ -7,26 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "incision/contact/contact.h"
-#include "incision/fracture/cohesion.h"
+#include "incision/contact/contact_report.h"
+#include "incision/contact/obstacles.h"
+#include "incision/cut/cut_result.h"
 #include "incision/fracture/growth.h"
 #include "incision/scene/scene.h"
+#include "incision/solver/linear_solver.h"
 #include "incision/surface/surface.h"
+#include "incision/tool/tool_report.h"
 
 namespace incision {
-
-enum class CutStatus : std::uint8_t { APPLIED = 0, MISSED = 1, REJECTED = 2 };
-
-/// What became of one cut.
-struct CutResult {
-  std::string label;
-  CutStatus status = CutStatus::MISSED;
-  std::string reason;  ///< why it was missed or rejected
-  int cracks = 0;      ///< cracks it made: 0 or 1, more only by a stroke that crosses itself or turns a corner
-  int parts_split = 0, copies_added = 0;
-  int pieces = 0;       ///< of the body now
-  double duration = 0;  ///< of the computation [s]
-};
 
 /// Sizes of the body; `dofs` = 3 × copies.
 struct BodyCounts {
@@ -46,23 +36,20 @@ struct PhaseTimes {
   double cut = 0, fracture = 0, contact = 0, assembly = 0, solve = 0, update = 0;
 };
 
-/// What tool and tissue did to each other in a step.
-struct ToolReport {
-  bool touching = false;       ///< they acted on each other, or the edge is in the tissue
-  Vec3 force = Vec3::Zero();   ///< of the tissue on the tool, in the frame of the tool's link [N]
-  Vec3 torque = Vec3::Zero();  ///< the same about the link's origin [N m]
-  double depth = 0;            ///< how far the edge has come below the skin, at rest [m]; 0 outside
-  double stroke_area = 0;      ///< that the stroke under way, or the last one, has cut, at rest [m²]
+/// What has happened to the body's topology.
+struct Reports {
+  std::vector<CutResult> cuts;      ///< that took effect, and strokes that ended
+  std::vector<CrackResult> cracks;  ///< what cracks did
 };
 
 struct StepResult {
   std::vector<CutResult> cuts;      ///< those that took effect before this step, and strokes that ended in it
   std::vector<CrackResult> cracks;  ///< what cracks did in this step
   ContactReport contact;
-  ToolReport tool;
-  int iterations = 0;   ///< of the linear solve; 0 when direct
-  double residual = 0;  ///< relative
-  double step_ms = 0;   ///< wall time of the whole step
+  std::vector<ToolReport> tools;  ///< of each tool
+  int iterations = 0;             ///< of the linear solve; 0 when direct
+  double residual = 0;            ///< relative
+  double step_ms = 0;             ///< wall time of the whole step
   PhaseTimes phase_ms;
 };
 
@@ -75,44 +62,53 @@ class StepFailed : public std::runtime_error {
 /// One soft body: owns the state and calls the stages. Not thread-safe.
 class DeformableBody {
  public:
-  /// Throws InputError when the scene, the mesh and the descriptions do not go together.
-  DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions = {});
+  /// `make_solver` makes the linear solvers; left out, they are those that the scene asks for. Throws InputError when
+  /// the scene, the mesh and the descriptions do not go together.
+  DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions = {},
+                 const MakeLinearSolver& make_solver = {});
   ~DeformableBody();
 
-  /// Applies what is due, then takes one step of Δt. Throws StepFailed with the state restored.
+  /// Applies what is due, then takes one step of Δt. Throws StepFailed: the body is then as it was after what was due
+  /// has been applied, tools still have the paths before them that they were given, and the reports wait to be taken.
   StepResult step();
+
+  /// What has happened and no step's result has told, because the step failed. Returns each report once.
+  Reports takeReports();
 
   /// Cuts at once, in the current configuration. Never throws for what the plane says: it is REJECTED with the reason.
   CutResult cut(const PlaneCut& plane);
 
-  /// Cuts before the step that starts at the first k Δt ≥ time.
-  void schedule(const ScheduledCut& cut);
+  /// How many tools there are. The functions below throw std::out_of_range for a tool that there is not.
+  std::size_t tools() const;
 
   /// In the next step the tool goes evenly along these poses of its link in the body's frame to the last, where it
-  /// stays, and cuts what its edge crosses. Without a tool in place the first one only places it. Needs a scene with a
-  /// tool, as the next three do.
-  void guideTool(const std::vector<Pose>& path);
+  /// stays, and cuts what its edge crosses. When it is not in place the first one only places it.
+  void guideTool(const std::vector<Pose>& path, std::size_t tool = 0);
 
   /// Puts the tool there at once: it sweeps nothing on its way. Ends the stroke under way, and returns its result where
-  /// it cut something, as the next two do.
-  std::optional<CutResult> placeTool(const Pose& pose);
+  /// it cut something, as do the next two functions.
+  std::optional<CutResult> placeTool(const Pose& pose, std::size_t tool = 0);
 
   /// Takes the tool away until the next pose.
-  std::optional<CutResult> liftTool();
+  std::optional<CutResult> liftTool(std::size_t tool = 0);
 
   /// Whether the blade cuts, as it does at first and after a reset. One that does not only touches.
-  std::optional<CutResult> activateTool(bool active);
+  std::optional<CutResult> activateTool(bool active, std::size_t tool = 0);
 
-  /// Where the tool's link is, if there is a tool in place.
-  const std::optional<Pose>& toolPose() const;
+  /// Where the tool's link is, if the tool is in place.
+  const std::optional<Pose>& toolPose(std::size_t tool = 0) const;
+  /// The tool's cutting edge in the frame of its link, or null.
+  const Edge* toolEdge(std::size_t tool = 0) const;
+  /// The tool's shapes that touch; none without contact.
+  const Obstacles& toolShapes(std::size_t tool = 0) const;
 
   /// The obstacles; none without contact. A link moves evenly to `pose` in the body's frame during the next step, and
-  /// stays there; or it is put there, and sweeps nothing on its way.
+  /// stays there; or it is put there, and sweeps nothing on its way. Throws std::out_of_range without such a link.
   const Obstacles& obstacles() const;
   void moveObstacle(int link, const Pose& pose);
   void placeObstacle(int link, const Pose& pose);
 
-  /// Back to the state after construction: no cuts but the scene's, which are scheduled again.
+  /// Back to the state after construction: no cuts, and those of the scene are still to come.
   void reset();
 
   const Scene& scene() const;

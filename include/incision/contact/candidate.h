@@ -28,30 +28,32 @@ inline constexpr double DEEPEST_BEGIN = 0.05;
 
 /// A place where a point of the surface may touch a plane in this step.
 struct Candidate {
-  int sample;        ///< of the ContactSurface; for obstacles the vertex
-  int partner;       ///< the obstacle, or BODY
-  Vec3 normal;       ///< n, unit, from the partner to the point
-  double gap;        ///< g [m] when the step starts, negative inside
-  double ignored;    ///< depth that the force leaves alone, in which the contact began [m]
-  Vec3 drift;        ///< of the partner in the step, where it is an obstacle [m]
-  double stiffness;  ///< k [N/m]
-  double size;       ///< h of the elements there [m]
-  Vec3 slip;         ///< s, tangential: how far the point has dragged on the partner, elastically [m]
-  Vec3 side;         ///< the normal in the frame of the obstacle's shape
-  Coupling held;     ///< y: the point less what it meets on the body; its stiffness and force are for update()
+  int sample;            ///< of the ContactSurface; for obstacles the vertex
+  int partner;           ///< the obstacle, or BODY
+  Vec3 normal;           ///< n, unit, from the partner to the point
+  double gap;            ///< g [m] when the step starts, negative inside
+  double ignored;        ///< depth that the force leaves alone, in which the contact began [m]
+  Vec3 drift;            ///< of the partner in the step, where it is an obstacle [m]
+  double stiffness;      ///< k [N/m]
+  double size;           ///< h of the elements there [m]
+  Vec3 slip;             ///< s, tangential: how far the point has dragged on the partner, elastically [m]
+  Vec3 normal_in_solid;  ///< the normal in the frame of the solid
+  Coupling point;        ///< y: the point less what it meets on the body; its stiffness and force are for update()
 
   static constexpr int BODY = -1;
 };
 
 /// What a contact leaves for the next step.
 struct Touch {
-  int sample, partner;   ///< as of the Candidate
+  int sample, partner;   ///< of the candidate
   double gap;            ///< at the end of the step, less the depth that is ignored [m]
-  double ignored;        ///< as of the Candidate
+  double ignored;        ///< of the candidate [m]
   Vec3 slip;             ///< at the end of the step [m]
-  Vec3 side;             ///< as of the Candidate
+  Vec3 normal_in_solid;  ///< of the candidate
   SurfaceVertex vertex;  ///< where it is, and
-  int order;             ///< which of the vertex's samples: so that it is found again after a cut
+  int sample_of_vertex;  ///< which of the vertex's samples: so that it is found again after a cut
+
+  static constexpr int GONE = -1;  ///< a sample that a cut has taken away
 };
 
 /// Contacts are in the order of their partners, and then of their samples.

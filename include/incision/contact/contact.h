@@ -2,48 +2,39 @@
 
 #include <vector>
 
-#include "incision/contact/fragments.h"
-#include "incision/contact/obstacle_contacts.h"
-#include "incision/contact/settings.h"
-#include "incision/solver/implicit_step.h"
+#include "incision/contact/candidate.h"
+#include "incision/contact/contact_report.h"
+#include "incision/contact/contact_skin.h"
+#include "incision/solver/coupler.h"
 
 namespace incision {
 
-/// What touched in a step.
-struct ContactReport {
-  int count = 0;       ///< points that were pressed
-  double deepest = 0;  ///< largest depth of one of them at the end of the step [m]
-  double energy = 0;   ///< in the springs that press and drag [J]
-};
-
-/// Contact of a body with obstacles and with itself, implicit in the step. At each place where a point may touch a
-/// plane with normal n the force on the point is, for the motion in the step Δy = Δt ẏ less the partner's,
+/// Contact of a body's surface with something. At each place where a point may touch a plane with normal n the force on
+/// the point is, for the motion in the step Δy = Δt ẏ less the partner's,
 ///   −k (g + n·Δy) n  where that presses,
 /// and tangentially −k_t (s + Δy_t) up to μ times the pressure. The drag s is kept from step to step, so what sticks
-/// does not creep; there is no restitution.
-class Contact {
+/// does not creep; there is no restitution. Derived classes say what the body may touch.
+class Contact : public WithMemory<Coupler, std::vector<Touch>> {
  public:
-  Contact(const ContactSettings& settings, Obstacles obstacles, double young_modulus, int threads);
+  /// `friction` is Coulomb's coefficient μ. `skin` must outlive this.
+  Contact(double friction, ContactSkin* skin) : friction_(friction), skin_(skin) {}
 
-  /// Before the first step and after a cut. `surface` must live until the next call; `piece` of each copy.
-  void surfaceChanged(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece);
+  void changed(const CutMesh& /*mesh*/) override {}
+  bool begin(const StepStart& start) override;
+  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override;
+  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  void recall(const std::any& kept) override;
 
-  /// Finds what may touch in a step of `time_step` [s] from here.
-  void begin(const Motion& motion, double time_step, const LinkMotion& links);
+  /// Of the step taken last.
+  const ContactReport& report() const { return report_; }
 
-  /// Whether `begin` found anything.
-  bool mayTouch() const { return !candidates_.empty(); }
+ protected:
+  /// Whether anything can be touched in this step at all: where not, the skin is not even placed.
+  virtual bool isThere() const { return true; }
 
-  /// As Couple says, but appends: the contacts that press at these velocities.
-  bool update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
-
-  /// Takes the step as done, with these velocities at its end.
-  ContactReport accept(double time_step, const std::vector<Vec3>& v_end);
-
-  /// Forgets what touched.
-  void reset() { touches_.clear(); }
-
-  const Obstacles& obstacles() const { return obstacles_; }
+  /// Finds what may touch in a step from here: candidates in the order of their partners, and then of their samples.
+  virtual void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
+                    std::vector<Candidate>* candidates) = 0;
 
  private:
   /// A candidate's state at a trial.
@@ -54,20 +45,20 @@ class Contact {
     bool presses;
   };
   Trial tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const;
-  double frictionOf(const Candidate& candidate) const;
-  void recall(double time_step);
-  int orderOf(int sample) const;
+  Coupling springOf(const Candidate& candidate, const Trial& trial) const;
+  const std::vector<Touch>& touchesOnSkin();
+  void continueTouches(const std::vector<Touch>& touches, double time_step);
+  int sampleOfVertex(int sample) const;
+  Touch touchOf(const Candidate& candidate, const Trial& trial) const;
 
-  ContactSettings settings_;
-  Obstacles obstacles_;
-  double young_modulus_;  // [Pa]
-  int threads_;
-  ContactSurface surface_;
-  FragmentFinder fragments_;
+  double friction_;
+  ContactSkin* skin_;
+  ContactReport report_;
+  std::uint64_t skin_version_ = 0;  // in which the memory numbers its samples; 0: in some other
+  // Of this step:
+  std::vector<Touch> renumbered_;      // the memory's touches, by partner and sample of another skin
   std::vector<Candidate> candidates_;  // by partner and sample
-  std::vector<Trial> trials_, used_;   // of each; used_ is what the last couplings stand for
-  std::vector<Touch> touches_;         // by partner and sample
-  std::vector<Vec3> x_, v_;            // of the surface's vertices
+  std::vector<Trial> trials_, used_;   // of each; used_ is what the last springs stand for
 };
 
 }  // namespace incision

@@ -30,7 +30,8 @@ struct ContactSurface {
   /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place holds: what is
   /// left to open of a slit near its end. 1 where there is no other.
   std::vector<double> own;
-  double mean_size = 0;  ///< of the vertices [m]
+  double mean_size = 0;      ///< of the vertices [m]
+  double young_modulus = 0;  ///< of the material [Pa]
 };
 
 /// `surface` must outlive the result; `piece` of each copy.

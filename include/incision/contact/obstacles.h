@@ -24,20 +24,9 @@ struct ObstacleLink {
   Pose pose;         ///< in the body's frame, as described
 };
 
-/// What of a tool touches, and how.
-struct ToolBody {
-  std::string link;     ///< of its description, whose collision shapes these are
-  double friction = 0;  ///< Coulomb's coefficient, of these shapes alone
-  Edge edge;            ///< in the link's frame; two different points, near which the shapes give way
-};
-
 struct Obstacles {
   std::vector<ObstacleLink> links;  ///< those that have shapes
   std::vector<Obstacle> shapes;
-  int tool_link = -1;  ///< the link that is the tool's, which the body itself moves; −1: none
-  ToolBody tool;       ///< where there is a tool's link
-
-  bool isTool(const Obstacle& shape) const { return tool_link >= 0 && shape.link == tool_link; }
 };
 
 /// Most collision shapes of a description. Each is held against the whole body in each step, and a robot in a
@@ -50,8 +39,8 @@ inline constexpr std::size_t MAX_OBSTACLES = 1000;
 /// that is a mesh, has a size that is not positive, or lies out of range.
 Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name);
 
-/// Adds the collision shapes of a tool as one more link, if it has any. `urdf` is the text of its description, `name`
-/// what errors call it. Throws InputError as loadObstacles does for a shape, and where there is no such link.
-void addTool(const ToolBody& tool, const std::string& urdf, const std::string& name, Obstacles* obstacles);
+/// The collision shapes of one link of a description, if it has any; they belong to link 0. Throws InputError as
+/// loadObstacles does for a shape, and where there is no such link.
+Obstacles loadLink(const std::string& link, const std::string& urdf, const std::string& name);
 
 }  // namespace incision

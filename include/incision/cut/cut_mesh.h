@@ -108,6 +108,17 @@ class CutMesh {
   /// Throws InputError, with nothing changed, when the result would pass MAX_PARTS_PER_ELEMENT or MAX_COPIES.
   Insertion insert(const CrackField& crack);
 
+  /// What cracks have made of the mesh; all else follows from the mesh as read.
+  struct Memory {
+    std::vector<Part> parts;
+    std::vector<CutPart> details;
+    std::vector<int> copy_node, copy_parent, own_copy;
+    int num_cracks = 0;
+  };
+  Memory keep() const { return {parts_, details_, copy_node_, copy_parent_, own_copy_, num_cracks_}; }
+  /// Puts back what was kept of this mesh.
+  void recall(const Memory& memory);
+
   /// The piece of every copy: pieces are numbered from 0 in the order of their lowest copy.
   std::vector<int> copyPieces(int* num_pieces) const;
 

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "incision/cut/crack.h"
-#include "incision/tool/blade.h"
+#include "incision/tool/settings.h"
 
 namespace incision {
 

@@ -6,7 +6,7 @@
 
 #include "incision/pace/agenda.h"
 #include "incision/pace/approach.h"
-#include "incision/tool/blade.h"
+#include "incision/tool/settings.h"
 
 namespace incision {
 

@@ -15,7 +15,7 @@
 #include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/mesh_io.h"
 #include "incision/solver/settings.h"
-#include "incision/tool/blade.h"
+#include "incision/tool/settings.h"
 
 namespace YAML {
 class Node;

@@ -12,18 +12,25 @@ namespace incision {
 /// the start would not be, and let spinning bodies gain energy.
 class BackwardDifference {
  public:
+  /// What outlasts a step.
+  struct Memory {
+    bool known = false;  ///< whether there is a step to look back to
+    Motion before;       ///< x_{n−1}, v_{n−1}
+  };
+  const Memory& keep() const { return memory_; }
+  void recall(const Memory& memory) { memory_ = memory; }
+
   /// Forgets the past, so that the next step is one of implicit Euler: after what the past does not foresee, a cut or
   /// an impact, from which the formula would rebound.
-  void forget() { known_ = false; }
+  void forget() { memory_.known = false; }
 
   /// Advances from `time` by `time_step` [s], always the same while the past is known. Returns false, with the motion
-  /// as it was, where ImplicitStep::advance does.
+  /// and the memory as they were, where ImplicitStep::advance does.
   bool advance(double time, double time_step, ImplicitStep* step, Motion* motion);
 
  private:
-  bool known_ = false;
-  Motion before_;            // x_{n−1}, v_{n−1}
-  Motion start_;             // x̂, v̂
+  Memory memory_;
+  Motion start_;             // x̂, v̂; or the step's start while there is none to look back to
   std::vector<Vec3> ahead_;  // x_n + Δt v_n
 };
 

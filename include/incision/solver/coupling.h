@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <cassert>
 #include <vector>
 
 #include "incision/mesh/tet_mesh.h"
@@ -17,21 +17,25 @@ struct Coupling {
   int count = 0;
   Mat3 stiffness = Mat3::Zero();  ///< K [N/m], symmetric, positive semidefinite
   Vec3 force = Vec3::Zero();      ///< F [N], what it would be if nothing moved in the step
-  bool tool = false;              ///< acts between the body and the tool, whose reaction is asked for
+  int coupler = 0;                ///< index of the one that it belongs to
 
-  /// Adds to the weight of a copy.
+  /// Adds to the weight of a copy. There is room for those of two parts.
   void add(int copy, double weight) {
     int i = 0;
     while (i < count && copies[i] != copy) ++i;
+    assert(i < static_cast<int>(copies.size()));
     if (i == count) weights[count++] = 0;
     copies[i] = copy;
     weights[i] += weight;
   }
 };
 
-/// Writes the couplings of a step of `time_step` [s], for velocities at its end as far as they are known [m/s]: before
-/// the first solve they are a guess. Returns whether the couplings have changed so much that it takes another solve.
-using Couple = std::function<bool(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings)>;
+/// Σ_i weights[i] values[copies[i]]: y of the positions, ẏ of the velocities.
+inline Vec3 weightedSum(const Coupling& coupling, const std::vector<Vec3>& values) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < coupling.count; ++i) sum += coupling.weights[i] * values[coupling.copies[i]];
+  return sum;
+}
 
 /// Δt times the force on y [N s], for the velocities `v_end` at the end of the step.
 Vec3 impulseOf(const Coupling& coupling, double time_step, const std::vector<Vec3>& v_end);
@@ -40,10 +44,9 @@ Vec3 impulseOf(const Coupling& coupling, double time_step, const std::vector<Vec
 void addImpulses(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& v_end,
                  std::vector<Vec3>* impulses);
 
-/// What the body does to the tool, on the mean of a step of `time_step` [s]: against the forces of the couplings marked
-/// so, about the origin of the body's frame. Each acts where its copies are at the step's start, at `x` [m]: by that
-/// lever it changes Σ x × m v from the step's start to its end. `v_end` are the velocities at the end [m/s].
-Wrench toolWrench(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& x,
-                  const std::vector<Vec3>& v_end);
+/// What the body does to the spring's other end, on the mean of a step of `time_step` [s]: against the spring's force,
+/// about the origin of the body's frame. It acts where the copies are at the step's start, at `x` [m]: by that lever it
+/// changes Σ x × m v from the step's start to its end. `v_end` are the velocities at the end [m/s].
+Wrench wrenchOf(const Coupling& coupling, double time_step, const std::vector<Vec3>& x, const std::vector<Vec3>& v_end);
 
 }  // namespace incision

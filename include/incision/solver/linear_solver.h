@@ -53,4 +53,7 @@ class LinearSolver {
 
 std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, bool warping);
 
+/// What makes the solvers of a body.
+using MakeLinearSolver = std::function<std::unique_ptr<LinearSolver>(const SolverSettings& settings, bool warping)>;
+
 }  // namespace incision

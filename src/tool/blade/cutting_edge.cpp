@@ -53,86 +53,104 @@ bool besideCut(const CutMesh& mesh, int part, const Barycentric& point, double d
   });
 }
 
-double meanSize(const CutMesh& mesh) {
-  const int elements = static_cast<int>(mesh.mesh().elements.size());
-  double volume = 0;
-  for (int e = 0; e < elements; ++e) volume += elementVolume(mesh.mesh(), e);
-  return std::cbrt(6 * volume / elements);
+double stationCount(const Edge& edge, double size) {
+  return std::clamp(std::ceil(STATIONS_PER_ELEMENT * (edge[1] - edge[0]).norm() / size), 1.0, MAX_STATIONS);
 }
+
+Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vector.dot(direction) * direction; }
 
 }  // namespace
 
-CuttingEdge::CuttingEdge(const ToolSettings& settings, double young_modulus, const CutMesh& mesh)
+CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties,
+                         const Materials& materials, const CutMesh& mesh)
     : cutting_force_(settings.cutting_force),
       friction_(settings.friction),
-      young_modulus_(young_modulus),
-      size_(meanSize(mesh)),
-      skin_(mesh.mesh(), mesh.topology()) {}
-
-void CuttingEdge::begin(const Edge& from, const Edge& to, const CutMesh& mesh, const std::vector<Vec3>& x,
-                        const Ties& ties) {
-  const double length = (to[1] - to[0]).norm();
-  const double count = std::clamp(std::ceil(STATIONS_PER_ELEMENT * length / size_), 1.0, MAX_STATIONS);
-  stations_.resize(static_cast<std::size_t>(count));
-  direction_ = (to[1] - to[0]) / length;
-  share_ = length / count;
-  in_tissue_ = held_ = false;
-  depth_ = 0;
-  Eigen::AlignedBox3d reach(from[0]);
-  reach.extend(from[1]);
-  reach = {reach.min().array() - LEAD * size_, reach.max().array() + LEAD * size_};
-  std::vector<Near> near;
-  for (std::size_t p = 0; p < mesh.parts().size(); ++p)
-    if (reach.intersects(boxOf(mesh.parts()[p], x))) near.push_back({static_cast<int>(p), {mesh.parts()[p], x}});
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
-    const double at = (static_cast<double>(i) + 0.5) / count;
-    Station& station = stations_[i];
-    const Vec3 point = atStation(from, at);
-    station.drift = atStation(to, at) - point;
-    station.held = Coupling();
-    const std::optional<Found> here = findTissue(point, near, mesh, ties);
-    if (here) depth_ = std::max(depth_, here->depth);
-    in_tissue_ = in_tissue_ || here;
-    const bool has_cut = !station.forward.isZero(0);
-    const Vec3 way = station.slip + station.drift;
-    const Vec3 forward = has_cut ? station.forward : (way - way.dot(direction_) * direction_).stableNormalized();
-    std::optional<Found> ahead;
-    if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, near, mesh, ties);
-    if (ahead || here) {
-      station.held = (ahead ? ahead : here)->held;
-    } else {
-      station.slip.setZero();
-      station.forward.setZero();
-    }
-    held_ = held_ || (station.held.count > 0 && cutting_force_ > 0);
-  }
+      edge_(edge),
+      tool_(tool),
+      ties_(ties),
+      materials_(materials),
+      size_(materials.meanSize()),
+      skin_(mesh.mesh(), mesh.topology()),
+      share_((edge[1] - edge[0]).norm() / stationCount(edge, size_)) {
+  memory_.resize(static_cast<std::size_t>(stationCount(edge, size_)));
 }
 
 void CuttingEdge::leave() {
-  stations_.clear();
-  held_ = in_tissue_ = false;
+  memory_.assign(memory_.size(), StationMemory());
+  in_tissue_ = false;
   depth_ = 0;
 }
 
-std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, const std::vector<Near>& near,
-                                                          const CutMesh& mesh, const Ties& ties) {
-  for (const auto& [p, frame] : near) {
+bool CuttingEdge::begin(const StepStart& start) {
+  in_tissue_ = false;
+  depth_ = 0;
+  if (!tool_->in_place || !tool_->active) return false;
+  const Edge from = placed(edge_, tool_->motion.at(start.span.from)),
+             to = placed(edge_, tool_->motion.at(start.span.to));
+  direction_ = (to[1] - to[0]).normalized();
+  findNear(from, start);
+  stations_.resize(memory_.size());
+  bool resists = false;
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(stations_.size());
+    const Vec3 point = atStation(from, at);
+    stations_[i] = {memory_[i], Coupling(), atStation(to, at) - point};
+    beginStation(point, start, &stations_[i]);
+    const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0);
+    resists = resists || stations_[i].tissue.count > 0 || forgets;
+  }
+  return resists && cutting_force_ > 0;
+}
+
+void CuttingEdge::findNear(const Edge& edge, const StepStart& start) {
+  Eigen::AlignedBox3d reach(edge[0]);
+  reach.extend(edge[1]);
+  reach = {reach.min().array() - LEAD * size_, reach.max().array() + LEAD * size_};
+  near_.clear();
+  const std::vector<Part>& parts = start.mesh.parts();
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (reach.intersects(boxOf(parts[p], start.motion.x)))
+      near_.push_back({static_cast<int>(p), {parts[p], start.motion.x}});
+}
+
+/// Finds what resists at the station, or a little before it.
+void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Station* station) {
+  const std::optional<Found> here = findTissue(point, start.mesh);
+  if (here) depth_ = std::max(depth_, here->depth);
+  in_tissue_ = in_tissue_ || here;
+  const bool has_cut = !station->start.forward.isZero(0);
+  const Vec3 way = rejected(station->start.slip + station->drift, direction_);
+  const Vec3 forward = has_cut ? station->start.forward : way.stableNormalized();
+  std::optional<Found> ahead;
+  if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, start.mesh);
+  if (!ahead && !here) {
+    station->start = StationMemory();
+    return;
+  }
+  const Found& found = ahead ? *ahead : *here;
+  station->tissue = found.tissue;
+  station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * share_;
+}
+
+std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, const CutMesh& mesh) {
+  for (const auto& [p, frame] : near_) {
     const Part& part = mesh.parts()[p];
     if (!frame.invertible()) continue;
     const Barycentric b = frame.toElement(point);
     if (b.minCoeff() < -OUTSIDE) continue;
-    const Ties::Ahead ahead = ties.ahead(part.element, b);
+    const Ties::Ahead ahead = ties_.ahead(part.element, b);
     if (!ahead.section && !holds(mesh.polytope(p), b)) continue;
     Found found;
-    const auto hold = [&](int side, double weight) {
-      for (int I = 0; I < 4; ++I) found.held.add(mesh.parts()[side].copies[I], weight * b[I]);
+    found.element = part.element;
+    const auto share = [&](int side, double weight) {
+      for (int I = 0; I < 4; ++I) found.tissue.add(mesh.parts()[side].copies[I], weight * b[I]);
     };
     for (int I = 0; I < 4; ++I) found.depth += b[I] * skin_.at(mesh.copyNode(part.copies[I]));
     if (ahead.unswept) {
-      hold(ahead.section->plus, 0.5);
-      hold(ahead.section->minus, 0.5);
+      share(ahead.section->plus, 0.5);
+      share(ahead.section->minus, 0.5);
     } else if (!ahead.section && !besideCut(mesh, p, b, IN_A_SLIT * size_)) {
-      hold(p, 1);
+      share(p, 1);
     }
     return found;
   }
@@ -140,55 +158,52 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
 }
 
 CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const {
-  Vec3 rate = Vec3::Zero();
-  for (int i = 0; i < station.held.count; ++i) rate += station.held.weights[i] * v_end[station.held.copies[i]];
   Trial trial;
-  trial.slip = station.slip + station.drift - time_step * rate;
+  trial.slip = station.start.slip + station.drift - time_step * weightedSum(station.tissue, v_end);
   const Vec3 along = trial.slip.dot(direction_) * direction_, across = trial.slip - along;
-  trial.across = trial.along = EDGE_STIFFNESS * young_modulus_ * share_;
+  trial.across = trial.along = station.stiffest;
   const double most = cutting_force_ * share_;
   trial.yields = trial.across * across.norm() > most;
   if (trial.yields) trial.across = most / across.norm();
-  if (across.dot(station.forward) < 0) trial.across = 0;
+  if (across.dot(station.start.forward) < 0) trial.across = 0;
   // Secants: so the system stays symmetric.
   const double most_along = friction_ * trial.across * across.norm();
   if (trial.along * along.norm() > most_along) trial.along = most_along / along.norm();
   return trial;
 }
 
-bool CuttingEdge::update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
-  bool changed = false;
+bool CuttingEdge::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) {
+  bool differ = false;
   const auto differs = [](double a, double b) { return std::abs(a - b) > STIFFNESS_TOLERANCE * std::max(a, b); };
   for (Station& station : stations_) {
-    if (station.held.count == 0) continue;
-    const Trial trial = tryAt(station, time_step, v_end);
-    changed = changed || differs(trial.across, station.across) || differs(trial.along, station.along);
+    if (station.tissue.count == 0) continue;
+    const Trial trial = tryAt(station, span.time_step, v_end);
+    differ = differ || differs(trial.across, station.across) || differs(trial.along, station.along);
     station.across = trial.across;
     station.along = trial.along;
     if (trial.across == 0) continue;
-    Coupling coupling = station.held;
+    Coupling spring = station.tissue;
     const Mat3 along = direction_ * direction_.transpose();
-    coupling.stiffness = trial.across * (Mat3::Identity() - along) + trial.along * along;
-    coupling.force = coupling.stiffness * (station.slip + station.drift);
-    coupling.tool = true;
-    couplings->push_back(coupling);
+    spring.stiffness = trial.across * (Mat3::Identity() - along) + trial.along * along;
+    spring.force = spring.stiffness * (station.start.slip + station.drift);
+    springs->push_back(spring);
   }
-  return changed;
+  return differ;
 }
 
-void CuttingEdge::accept(double time_step, const std::vector<Vec3>& v_end) {
-  const double stiffest = EDGE_STIFFNESS * young_modulus_ * share_;
-  for (Station& station : stations_) {
-    if (station.held.count == 0) continue;
-    const Trial trial = tryAt(station, time_step, v_end);
+void CuttingEdge::accept(const StepSpan& span, const Motion& end, const Wrench& felt) {
+  tool_->feel(span, felt);
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    StationMemory& station = memory_[i];
+    station = stations_[i].start;
+    if (stations_[i].tissue.count == 0) continue;
+    const Trial trial = tryAt(stations_[i], span.time_step, end.v);
     const Vec3 along = trial.slip.dot(direction_) * direction_, across = trial.slip - along;
-    station.slip = trial.across / stiffest * across + trial.along / stiffest * along;
+    station.slip = (trial.across * across + trial.along * along) / stations_[i].stiffest;
     if (trial.yields && trial.across > 0) station.forward = across.normalized();
     if (trial.across > 0) continue;
     station.slip = across;
-    if (across.norm() < TURNED * size_) continue;
-    station.slip.setZero();
-    station.forward.setZero();
+    if (across.norm() >= TURNED * size_) station = StationMemory();
   }
 }
 

@@ -90,25 +90,26 @@ double shortestEdge(const Part& part, const CutMesh& mesh) {
 }  // namespace
 
 void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
-  if (!last_x_.empty()) return;
-  from_ = edge;
-  last_x_ = x;
+  if (!memory_.last_x.empty()) return;
+  memory_.from = edge;
+  memory_.last_x = x;
 }
 
-Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh, Ties* ties) {
-  for (int c = static_cast<int>(last_x_.size()); c < mesh->numCopies(); ++c)
-    last_x_.push_back(last_x_[mesh->copyParent(c)]);
+Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door, Ties* ties) {
+  const CutMesh* mesh = &door->mesh();
+  for (int c = static_cast<int>(memory_.last_x.size()); c < mesh->numCopies(); ++c)
+    memory_.last_x.push_back(memory_.last_x[mesh->copyParent(c)]);
   if (!record(to, x, *mesh)) return {};
-  from_ = to;
-  last_x_ = x;
+  memory_.from = to;
+  memory_.last_x = x;
   if (passed_.empty()) return {};
   keepTriangles(*mesh);
-  ties->sweep(just_swept_, crack_);
+  ties->sweep(just_swept_, memory_.crack);
   findHeadings(*mesh);
   if (crossesItself(to, x, *mesh)) {
-    crack_ = -1;
-    distances_.clear();
-    ways_.clear();
+    memory_.crack = -1;
+    memory_.distances.clear();
+    memory_.ways.clear();
     findHeadings(*mesh);
   }
   measure(to, x, *mesh);
@@ -118,12 +119,12 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mes
            (liesInFace(polygon) || !runsInSlit(*mesh, part, polygon));
   };
   const int before = mesh->numCopies();
-  const Insertion done = mesh->insert(crack);
+  const Insertion done = door->insert(crack);
   if (!done.changed()) return done;
-  cracks_ += crack_ < 0;
-  crack_ = done.crack;
+  memory_.cracks += memory_.crack < 0;
+  memory_.crack = done.crack;
   settle(done, before, *mesh);
-  ties->add(done, *mesh, swept_);
+  ties->add(done, *mesh, memory_.swept);
   return done;
 }
 
@@ -135,22 +136,23 @@ bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& m
   const Vec3 direction = (to[1] - to[0]).normalized();
   const double least = MIN_SWEEP * (to[1] - to[0]).norm();
   Eigen::AlignedBox3d reach;
-  for (const Edge& edge : {from_, to})
+  for (const Edge& edge : {memory_.from, to})
     for (const Vec3& end : edge) reach.extend(end);
   bool near = false, moved = false;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const Part& part = mesh.parts()[p];
-    const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, last_x_));
+    const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, memory_.last_x));
     const auto meets = [&](double margin) {
       const Vec3 room = margin * box.sizes();
       return reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room));
     };
     if (!meets(part.detail >= 0 ? FREEING_MARGIN : MARGIN)) continue;
-    const PartFrame was(part, last_x_), is(part, x);
+    const PartFrame was(part, memory_.last_x), is(part, x);
     if (!was.invertible() || !is.invertible()) continue;
     Passed passed;
     passed.part = static_cast<int>(p);
-    passed.corners = {was.toElement(from_[0]), was.toElement(from_[1]), is.toElement(to[1]), is.toElement(to[0])};
+    passed.corners = {was.toElement(memory_.from[0]), was.toElement(memory_.from[1]), is.toElement(to[1]),
+                      is.toElement(to[0])};
     if (outside(passed.corners, FREEING_MARGIN)) continue;
     if (!meets(MARGIN) || outside(passed.corners, MARGIN)) {
       if (part.detail >= 0) beside_.push_back(passed);
@@ -167,7 +169,8 @@ bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& m
     passed_.push_back(passed);
   }
   if (near && !moved) return false;
-  begun_ = begun_ || std::any_of(passed_.begin(), passed_.end(), [](const Passed& passed) { return passed.within; });
+  memory_.begun =
+      memory_.begun || std::any_of(passed_.begin(), passed_.end(), [](const Passed& passed) { return passed.within; });
   return true;
 }
 
@@ -181,7 +184,7 @@ void Stroke::keepTriangles(const CutMesh& mesh) {
   };
   for (const Passed& passed : passed_) keep(passed);
   for (const auto& [element, triangles] : just_swept_) {
-    std::deque<SweptTriangle>& kept = swept_[element];
+    std::deque<SweptTriangle>& kept = memory_.swept[element];
     kept.insert(kept.end(), triangles.begin(), triangles.end());
     while (kept.size() > MAX_TRIANGLES) kept.pop_front();
   }
@@ -200,15 +203,15 @@ void Stroke::findHeadings(const CutMesh& mesh) {
       ++count;
     }
   for (const auto& [c, sum] : sums) {
-    Vec3& way = ways_.try_emplace(c, Vec3::Zero()).first->second;
-    const Vec3 mean = alike(way.isZero(0) ? normal_ : way, sum.first / sum.second);
+    Vec3& way = memory_.ways.try_emplace(c, Vec3::Zero()).first->second;
+    const Vec3 mean = alike(way.isZero(0) ? memory_.normal : way, sum.first / sum.second);
     way = std::exp(-mean.norm() / (SMOOTHING * mesh.shortestEdge(mesh.copyNode(c)))) * way + mean;
   }
   headings_.clear();
   for (const Passed& passed : passed_) {
     const auto& copies = mesh.parts()[passed.part].copies;
     Vec3 sum = Vec3::Zero();
-    for (int c : copies) sum += alike(normal_, ways_.at(c));
+    for (int c : copies) sum += alike(memory_.normal, memory_.ways.at(c));
     for (int c : copies) headings_.try_emplace(c, Vec3::Zero()).first->second += sum;
   }
   turnAlike();
@@ -218,13 +221,13 @@ void Stroke::findHeadings(const CutMesh& mesh) {
 void Stroke::turnAlike() {
   Vec3 sum = Vec3::Zero();
   for (const Passed& passed : passed_) sum += passed.normal;
-  if (normal_.isZero(0)) normal_ = sum.stableNormalized();
+  if (memory_.normal.isZero(0)) memory_.normal = sum.stableNormalized();
   sum.setZero();
   for (auto& [c, heading] : headings_) {
-    heading = alike(normal_, heading.stableNormalized());
+    heading = alike(memory_.normal, heading.stableNormalized());
     sum += heading;
   }
-  if (sum.norm() > 0) normal_ = sum.normalized();
+  if (sum.norm() > 0) memory_.normal = sum.normalized();
 }
 
 /// From the edge as it stands now, along the heading [m]. Not from the edge's end: where the edge turns, a heading of
@@ -235,14 +238,14 @@ double Stroke::distanceNow(int copy, const Edge& to, const std::vector<Vec3>& x)
 
 /// Whether the sweep goes on, into a part that the crack has not split, in another direction than the crack's there.
 bool Stroke::crossesItself(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const {
-  if (crack_ < 0) return false;
+  if (memory_.crack < 0) return false;
   return std::any_of(passed_.begin(), passed_.end(), [&](const Passed& passed) {
-    if (!passed.within || facetOf(mesh.polytope(passed.part), crack_)) return false;
+    if (!passed.within || facetOf(mesh.polytope(passed.part), memory_.crack)) return false;
     const Part& part = mesh.parts()[passed.part];
     const double far = CROSSING * shortestEdge(part, mesh);
     return std::any_of(part.copies.begin(), part.copies.end(), [&](int c) {
-      const auto known = distances_.find(c);
-      return known != distances_.end() && known->second.settled &&
+      const auto known = memory_.distances.find(c);
+      return known != memory_.distances.end() && known->second.settled &&
              known->second.normal.dot(headings_.at(c)) < SAME_WAY &&
              std::abs(known->second.phi - distanceNow(c, to, x)) > far;
     });
@@ -253,7 +256,7 @@ bool Stroke::crossesItself(const Edge& to, const std::vector<Vec3>& x, const Cut
 void Stroke::measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
   for (const auto& [c, heading] : headings_) {
     if (heading.isZero(0)) continue;
-    Distance& distance = distances_[c];
+    Distance& distance = memory_.distances[c];
     if (distance.settled) continue;
     const double phi = distanceNow(c, to, x);
     distance.phi = std::abs(phi) < SNAP * mesh.shortestEdge(mesh.copyNode(c)) ? 0 : phi;
@@ -265,13 +268,13 @@ void Stroke::measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& 
 /// that the blade has left behind, and neighbours must agree.
 CrackField Stroke::field(const CutMesh& mesh) const {
   CrackField crack;
-  crack.crack = crack_;
+  crack.crack = memory_.crack;
   crack.phi.assign(mesh.numCopies(), 0);
-  for (const auto& [copy, distance] : distances_) crack.phi[copy] = distance.phi;
-  for (const auto& [element, unused] : swept_)
+  for (const auto& [copy, distance] : memory_.distances) crack.phi[copy] = distance.phi;
+  for (const auto& [element, unused] : memory_.swept)
     for (int p = element; p >= 0; p = mesh.parts()[p].next) {
       const auto& copies = mesh.parts()[p].copies;
-      if (std::all_of(copies.begin(), copies.end(), [&](int c) { return distances_.count(c) > 0; }))
+      if (std::all_of(copies.begin(), copies.end(), [&](int c) { return memory_.distances.count(c) > 0; }))
         crack.parts.push_back(p);
     }
   std::sort(crack.parts.begin(), crack.parts.end());
@@ -281,8 +284,8 @@ CrackField Stroke::field(const CutMesh& mesh) const {
 /// Whether the sweep so far passed enough of a section, or the centroid of a face, seen along the gradient of φ.
 bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi,
                     bool progressive) const {
-  const auto found = swept_.find(part.element);
-  if (found == swept_.end()) return false;
+  const auto found = memory_.swept.find(part.element);
+  if (found == memory_.swept.end()) return false;
   const std::deque<SweptTriangle>& triangles = found->second;
   const Vec3 across =
       gradient(Eigen::Vector4d(phi[part.copies[0]], phi[part.copies[1]], phi[part.copies[2]], phi[part.copies[3]]));
@@ -302,12 +305,12 @@ bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, c
 /// The copies of the parts that were split keep their distances, and pass them on to the new ones.
 void Stroke::settle(const Insertion& done, int before, const CutMesh& mesh) {
   for (int part : done.parts)
-    for (int c : mesh.parts()[part].copies) distances_.at(c < before ? c : mesh.copyParent(c)).settled = true;
+    for (int c : mesh.parts()[part].copies) memory_.distances.at(c < before ? c : mesh.copyParent(c)).settled = true;
   for (int c = before; c < mesh.numCopies(); ++c) {
-    if (const auto parent = distances_.find(mesh.copyParent(c)); parent != distances_.end())
-      distances_.emplace(c, Distance(parent->second));
-    if (const auto parent = ways_.find(mesh.copyParent(c)); parent != ways_.end())
-      ways_.emplace(c, Vec3(parent->second));
+    if (const auto parent = memory_.distances.find(mesh.copyParent(c)); parent != memory_.distances.end())
+      memory_.distances.emplace(c, Distance(parent->second));
+    if (const auto parent = memory_.ways.find(mesh.copyParent(c)); parent != memory_.ways.end())
+      memory_.ways.emplace(c, Vec3(parent->second));
   }
 }
 

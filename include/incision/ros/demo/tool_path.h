@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "incision/tool/blade.h"
+#include "incision/tool/settings.h"
 
 namespace incision {
 

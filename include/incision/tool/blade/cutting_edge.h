@@ -3,47 +3,54 @@
 #include <optional>
 #include <vector>
 
+#include "incision/fem/materials.h"
 #include "incision/mesh/skin_depth.h"
 #include "incision/tool/blade/ties.h"
+#include "incision/tool/settings.h"
+#include "incision/tool/tool_in_step.h"
 
 namespace incision {
 
-/// What a blade's edge and the tissue that it has not cut yet do to each other. The edge is held by its stations,
-/// points spread evenly over it. At each the tissue is carried along by a spring with the slip s, the way of the edge
-/// through the material less what has been cut, until the force across the edge reaches F_c ΔL, with the cutting force
-/// F_c and the station's share ΔL of the edge: then the blade advances against just this force, so that cutting an area
-/// A takes the work F_c A. Along the edge it is Coulomb friction, by the force across. The tissue is pushed, never
-/// pulled: going back, the edge is free until it comes to where it stood.
-class CuttingEdge {
+/// What of a station of the edge outlasts a step.
+struct StationMemory {
+  Vec3 slip = Vec3::Zero();     ///< [m]
+  Vec3 forward = Vec3::Zero();  ///< where it has cut last, unit; zero: nowhere yet
+};
+
+/// What a blade's edge and the tissue that it has not cut yet do to each other. The edge is held against the tissue at
+/// its stations, points spread evenly over it. At each the tissue is carried along by a spring with the slip s, the way
+/// of the edge through the material less what has been cut, until the force across the edge reaches F_c ΔL, with the
+/// cutting force F_c and the station's share ΔL of the edge: then the blade advances against just this force, so that
+/// cutting an area A takes the work F_c A. Along the edge it is Coulomb friction, by the force across. The tissue is
+/// pushed, never pulled: going back, the edge is free until it comes to where it stood.
+class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
  public:
-  /// `young_modulus` [Pa].
-  CuttingEdge(const ToolSettings& settings, double young_modulus, const CutMesh& mesh);
+  /// `edge` in the frame of the tool's link. The tool, the ties, the materials and the mesh must outlive this.
+  CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties,
+              const Materials& materials, const CutMesh& mesh);
 
-  /// A step starts with the copies at `x` [m], in which the edge goes evenly from `from` to `to`.
-  void begin(const Edge& from, const Edge& to, const CutMesh& mesh, const std::vector<Vec3>& x, const Ties& ties);
-
-  /// The edge is no longer there, until the next step that begins with it.
+  /// The edge is no longer in the tissue that it was in.
   void leave();
 
-  /// As Couple says, but appends.
-  bool update(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings);
+  void changed(const CutMesh& /*mesh*/) override {}
+  bool begin(const StepStart& start) override;
+  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override;
+  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  bool hasOtherEnd() const override { return true; }
 
-  /// Takes the step as done, with these velocities at its end.
-  void accept(double time_step, const std::vector<Vec3>& v_end);
-
-  /// Whether any tissue resists.
-  bool held() const { return held_; }
-  /// Whether a part of the edge is in the tissue, and how far that comes below the skin, at rest [m].
+  /// Whether a part of the edge was in the tissue when the last step started, and how far that came below the skin, at
+  /// rest [m].
   bool inTissue() const { return in_tissue_; }
   double depth() const { return depth_; }
 
  private:
+  /// A station in this step.
   struct Station {
-    Vec3 slip = Vec3::Zero();      // at the step's start [m]
-    Vec3 forward = Vec3::Zero();   // where it has cut last, unit; zero: nowhere yet
-    Coupling held;                 // the material at the station; count 0: none resists
+    StationMemory start;
+    Coupling tissue;               // the material at the station; count 0: none resists
     Vec3 drift = Vec3::Zero();     // of the edge in the step [m]
-    double across = 0, along = 0;  // stiffness that the last couplings have [N/m]
+    double stiffest = 0;           // the most stiffness it can have [N/m]
+    double across = 0, along = 0;  // stiffness that the last springs have [N/m]
   };
   /// A station's state at a trial.
   struct Trial {
@@ -51,28 +58,36 @@ class CuttingEdge {
     double across, along;  // stiffness [N/m]; 0: it is free
     bool yields;
   };
-  Trial tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const;
   /// What is where a point is: the material that resists there, nothing in a slit, the sides of a tied section alike;
   /// and how far below the skin, at rest [m].
   struct Found {
-    Coupling held;
+    Coupling tissue;
+    int element;
     double depth = 0;
   };
   struct Near {
     int part;
     PartFrame frame;
   };
-  std::optional<Found> findTissue(const Vec3& point, const std::vector<Near>& near, const CutMesh& mesh,
-                                  const Ties& ties);
+
+  void findNear(const Edge& edge, const StepStart& start);
+  void beginStation(const Vec3& point, const StepStart& start, Station* station);
+  std::optional<Found> findTissue(const Vec3& point, const CutMesh& mesh);
+  Trial tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const;
 
   double cutting_force_, friction_;  // [N/m], –
-  double young_modulus_;             // [Pa]
-  double size_;                      // of the elements, the mean [m]
+  Edge edge_;
+  ToolInStep* tool_;
+  const Ties& ties_;
+  const Materials& materials_;
+  double size_;  // of the elements, the mean [m]
   SkinDepth skin_;
+  double share_;  // of a station, ΔL [m]
+  // Of this step:
   std::vector<Station> stations_;
+  std::vector<Near> near_;         // the parts that the edge may be in
   Vec3 direction_ = Vec3::Zero();  // of the edge, unit
-  double share_ = 0;               // of a station, ΔL [m]
-  bool held_ = false, in_tissue_ = false;
+  bool in_tissue_ = false;
   double depth_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "incision/cut/mesh_door.h"
 #include "incision/tool/blade/ties.h"
 
 namespace incision {
@@ -23,15 +24,14 @@ class Stroke {
   /// Adds what the edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
   /// whose section the sweep so far has entered; without progressive ties those whose section's centroid it covers.
   /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.
-  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, CutMesh* mesh, Ties* ties);
+  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door, Ties* ties);
 
   /// Whether the stroke has met any part of the body.
-  bool begun() const { return begun_; }
+  bool begun() const { return memory_.begun; }
 
   /// Cracks that it has made.
-  int cracks() const { return cracks_; }
+  int cracks() const { return memory_.cracks; }
 
- private:
   /// From the crack at a copy; settled once a part that uses the copy is split.
   struct Distance {
     double phi = 0;              // [m]
@@ -39,6 +39,22 @@ class Stroke {
     bool settled = false;
   };
 
+  /// What of the stroke outlasts a step.
+  struct Memory {
+    int crack = -1;                               ///< that it goes on with; −1: it has none yet, or none any more
+    int cracks = 0;                               ///< that it has made
+    bool begun = false;                           ///< it has met a part of the body
+    Edge from;                                    ///< at the last sweep [m],
+    std::vector<Vec3> last_x;                     ///< and the copies then [m]
+    Vec3 normal = Vec3::Zero();                   ///< of the sweep so far, to keep the sides' signs
+    std::unordered_map<int, Vec3> ways;           ///< round each copy: normals of the last sweeps [m]
+    std::unordered_map<int, Distance> distances;  ///< of the copies of parts the sweep has passed
+    std::unordered_map<int, std::deque<SweptTriangle>> swept;  ///< so far, in each element it met
+  };
+  const Memory& keep() const { return memory_; }
+  void recall(const Memory& memory) { memory_ = memory; }
+
+ private:
   /// A part that the current sweep passes.
   struct Passed {
     int part;
@@ -59,17 +75,11 @@ class Stroke {
               bool progressive) const;
   void settle(const Insertion& done, int before, const CutMesh& mesh);
 
-  int crack_ = -1, cracks_ = 0;
-  bool begun_ = false;
-  Edge from_;                                                       // at the last sweep [m],
-  std::vector<Vec3> last_x_;                                        // and the copies then [m]
-  Vec3 normal_ = Vec3::Zero();                                      // of the sweep so far, to keep the sides' signs
-  std::unordered_map<int, Vec3> ways_;                              // round each copy: normals of the last sweeps [m]
-  std::unordered_map<int, Vec3> headings_;                          // of the copies now passed: the crack's normal
-  std::unordered_map<int, Distance> distances_;                     // of the copies of parts the sweep has passed
-  std::unordered_map<int, std::deque<SweptTriangle>> swept_;        // so far, in each element it met,
-  std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;  // and in the current sweep
-  std::vector<Passed> passed_, beside_;  // parts that the current sweep passes, and cut ones that it passes farther off
+  Memory memory_;
+  // Of the current sweep:
+  std::unordered_map<int, Vec3> headings_;  // of the copies passed: the crack's normal
+  std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;
+  std::vector<Passed> passed_, beside_;  // parts that it passes, and cut ones that it passes farther off
 };
 
 }  // namespace incision

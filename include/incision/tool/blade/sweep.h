@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "incision/cut/cut_mesh.h"
-#include "incision/tool/blade.h"
+#include "incision/tool/settings.h"
 
 namespace incision {
 

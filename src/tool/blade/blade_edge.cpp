@@ -1,4 +1,4 @@
-#include "incision/tool/blade.h"
+#include "incision/tool/blade/blade_edge.h"
 
 #include <algorithm>
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <any>
+#include <utility>
+
+namespace incision {
+
+/// Something that has a memory: the value that outlasts a step. All else in it is scratch, found again from the memory
+/// and from the mesh. The retry of a step in halves and a reset keep memories and recall them.
+class Remembers {
+ public:
+  virtual ~Remembers() = default;
+
+  /// A copy of the memory.
+  virtual std::any keep() const = 0;
+
+  /// Puts a memory back that keep() of an object of this type has returned.
+  virtual void recall(const std::any& kept) = 0;
+};
+
+/// A `Base`, which derives from Remembers, with a memory of a copyable type. A class that has scratch which depends on
+/// the memory overrides recall() and calls this one first.
+template <class Base, class Memory>
+class WithMemory : public Base {
+ public:
+  explicit WithMemory(Memory memory = {}) : memory_(std::move(memory)) {}
+  std::any keep() const override { return memory_; }
+  void recall(const std::any& kept) override { memory_ = std::any_cast<const Memory&>(kept); }
+
+ protected:
+  Memory memory_;
+};
+
+}  // namespace incision

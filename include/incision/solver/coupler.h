@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/base/disjoint_sets.h"
+#include "incision/base/memory.h"
+#include "incision/cut/cut_mesh.h"
+#include "incision/rigid/wrench.h"
+#include "incision/solver/coupling.h"
+#include "incision/solver/motion.h"
+
+namespace incision {
+
+/// The time that a step takes.
+struct StepSpan {
+  double time_step;  ///< [s]
+  /// The share of the body's whole step that this one is: all of it, or one half after the other when the whole has
+  /// failed. What moves in a given way in the whole step goes from the first share of its way to the second.
+  double from = 0, to = 1;
+
+  /// Whether the whole step ends with this one.
+  bool isLast() const { return to == 1; }
+};
+
+/// The body as couplers find it when a step starts.
+struct StepStart {
+  StepSpan span;
+  const CutMesh& mesh;
+  const std::vector<int>& piece;  ///< of each copy
+  const Motion& motion;
+};
+
+/// Something that acts on copies in a step by springs between them, or to something outside: contact, cohesion, ties, a
+/// blade's edge. The forces descend from a convex potential of the velocities at the step's end.
+///
+/// Its memory changes in `changed` and `accept` alone: a step that fails leaves no trace in it.
+class Coupler : public Remembers {
+ public:
+  /// The mesh has changed, or is another one.
+  virtual void changed(const CutMesh& mesh) = 0;
+
+  /// A step starts. Returns whether the coupler may act in it; if not, `update` and `accept` are not called.
+  virtual bool begin(const StepStart& start) = 0;
+
+  /// Appends the springs for these velocities at the step's end [m/s]; before the first solve they are a guess. Returns
+  /// whether the springs differ from those of the last call by enough for another solve.
+  virtual bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) = 0;
+
+  /// The step has been taken. `felt` is what the springs have done to their other end, as wrenchOf says; without
+  /// another end it is zero.
+  virtual void accept(const StepSpan& span, const Motion& end, const Wrench& felt) = 0;
+
+  /// Whether the springs have another end, outside the body, whose wrench is asked for.
+  virtual bool hasOtherEnd() const { return false; }
+
+  /// Joins pieces, given by the mesh's number of each copy's piece, that count as one because the coupler ties them.
+  virtual void joinPieces(const CutMesh& /*mesh*/, const std::vector<int>& /*piece*/, DisjointSets* /*sets*/) const {}
+};
+
+}  // namespace incision

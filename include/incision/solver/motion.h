@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/base/vec.h"
+
+namespace incision {
+
+/// Positions and velocities of all copies.
+struct Motion {
+  std::vector<Vec3> x;  ///< [m]
+  std::vector<Vec3> v;  ///< [m/s]
+};
+
+}  // namespace incision

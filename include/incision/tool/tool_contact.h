@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "incision/contact/contact.h"
+#include "incision/contact/obstacles.h"
+#include "incision/tool/tool_in_step.h"
+
+namespace incision {
+
+/// Contact of a body with the shapes of a tool's link.
+class ToolContact : public Contact {
+ public:
+  /// `shapes` are those of one link, `friction` Coulomb's coefficient of these alone. `edge`: the cutting edge in the
+  /// link's frame, where there is one; near it the shapes give way while the tool is active. `skin` must outlive this.
+  ToolContact(Obstacles shapes, double friction, const std::optional<Edge>& edge, ContactSkin* skin);
+
+  /// The tool that the shapes belong to, which must outlive this. To be called once, before anything else.
+  void setTool(ToolInStep* tool) { tool_ = tool; }
+
+  const Obstacles& shapes() const { return shapes_; }
+
+  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  bool hasOtherEnd() const override { return true; }
+
+ protected:
+  bool isThere() const override { return tool_->in_place; }
+  void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
+            std::vector<Candidate>* candidates) override;
+
+ private:
+  Obstacles shapes_;
+  std::optional<Edge> edge_;
+  ToolInStep* tool_ = nullptr;
+  std::vector<RigidMotion> motions_;  // of the one link
+};
+
+}  // namespace incision

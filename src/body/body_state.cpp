@@ -1,0 +1,128 @@
+#include "body_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "incision/mesh/node_order.h"
+#include "incision/tool/make_tool.h"
+
+namespace incision {
+namespace {
+
+TetMesh withOrderedElements(TetMesh mesh) {
+  orderElements(&mesh);
+  return mesh;
+}
+
+std::vector<ScheduledCut> byTime(std::vector<ScheduledCut> cuts) {
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [](const ScheduledCut& a, const ScheduledCut& b) { return a.time < b.time; });
+  return cuts;
+}
+
+Obstacles obstaclesOf(const Scene& scene, const Descriptions& descriptions) {
+  if (!scene.contact) return {};
+  return loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles);
+}
+
+Motion atRest(const CutMesh& mesh) {
+  Motion motion;
+  for (int c = 0; c < mesh.numCopies(); ++c) motion.x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
+  motion.v.assign(motion.x.size(), Vec3::Zero());
+  return motion;
+}
+
+}  // namespace
+
+DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& descriptions,
+                             const MakeLinearSolver& make_solver)
+    : scene(s),
+      cuts(byTime(s.cuts)),
+      mesh(withOrderedElements(std::move(rest)), s.solver.threads),
+      materials(mesh.mesh(), s.body.material),
+      step(mesh, s.body.material, s.body.mass, s.body.pressure, s.body.warping, {s.gravity, s.boundary, s.loads},
+           s.solver, make_solver ? make_solver : makeLinearSolver),
+      motion(atRest(mesh)),
+      surface(mesh),
+      obstacles(obstaclesOf(s, descriptions)),
+      obstacle_motions(obstacles),
+      skin(surface, materials, s.solver.threads),
+      door(&mesh, &motion, &step, &last_steps, &growth, &couplers, &surface) {
+  if (scene.fracture) growth.emplace(*scene.fracture);
+  makeTools(descriptions);
+  makeCouplers();
+  door.meshReplaced();
+  at_start = keep();
+}
+
+void DeformableBody::State::makeTools(const Descriptions& descriptions) {
+  if (!scene.tool) return;
+  tools.push_back(makeTool(*scene.tool, descriptions.tool, {mesh, materials, scene.contact ? &skin : nullptr}));
+}
+
+/// Whatever couples the body to itself or to something else is an entry here.
+void DeformableBody::State::makeCouplers() {
+  std::vector<Coupler*> list;
+  if (scene.contact) {
+    own_couplers.push_back(std::make_unique<BodyContact>(*scene.contact, obstacles, obstacle_motions.inStep(), &skin));
+    contacts.push_back(static_cast<Contact*>(own_couplers.back().get()));
+  }
+  if (scene.fracture && scene.fracture->fracture_energy) {
+    own_couplers.push_back(std::make_unique<Cohesion>(*scene.fracture, materials));
+    cohesion = static_cast<Cohesion*>(own_couplers.back().get());
+  }
+  for (const auto& coupler : own_couplers) list.push_back(coupler.get());
+  for (const auto& tool : tools) {
+    for (Coupler* coupler : tool->couplers()) list.push_back(coupler);
+    if (tool->contact()) contacts.push_back(tool->contact());
+  }
+  couplers = Couplers(list);
+}
+
+/// The piece of each copy, and how many there are: what couplers tie counts as one.
+std::vector<int> DeformableBody::State::pieceOf(int* pieces) const {
+  std::vector<int> piece_of = step.pieceOf();
+  *pieces = couplers.joinPieces(mesh, step.pieces(), &piece_of);
+  return piece_of;
+}
+
+int DeformableBody::State::pieces() const {
+  int count = 0;
+  pieceOf(&count);
+  return count;
+}
+
+StepMemory DeformableBody::State::keepStep() const {
+  StepMemory memory{motion, step.keep(), last_steps.keep(), couplers.keep(), {}};
+  for (const auto& tool : tools) memory.tools.push_back(tool->keep());
+  return memory;
+}
+
+/// The mesh must be the one that the memory was kept of.
+void DeformableBody::State::recallStep(const StepMemory& memory) {
+  motion = memory.motion;
+  step.recall(memory.step);
+  last_steps.recall(memory.last_steps);
+  couplers.recall(memory.couplers);
+  for (std::size_t i = 0; i < tools.size(); ++i) tools[i]->recall(memory.tools[i]);
+}
+
+BodyMemory DeformableBody::State::keep() const {
+  BodyMemory memory{steps, cuts_done, mesh.keep(), {}, obstacle_motions.inStep(), keepStep()};
+  if (growth) memory.growth = growth->memory();
+  return memory;
+}
+
+void DeformableBody::State::recall(const BodyMemory& memory) {
+  steps = memory.steps;
+  cuts_done = memory.cuts_done;
+  obstacle_motions.recall(memory.obstacles);
+  mesh.recall(memory.mesh);
+  motion = memory.step.motion;
+  if (growth) growth->recall(*memory.growth);
+  door.meshReplaced();
+  recallStep(memory.step);
+  reports = Reports();
+}
+
+}  // namespace incision

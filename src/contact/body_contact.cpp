@@ -1,0 +1,26 @@
+#include "incision/contact/body_contact.h"
+
+#include "incision/contact/solid_contacts.h"
+
+namespace incision {
+
+BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obstacles,
+                         const std::vector<RigidMotion>& motions, ContactSkin* skin)
+    : Contact(settings.friction, skin), self_(settings.self), obstacles_(obstacles), motions_(motions) {}
+
+void BodyContact::recall(const std::any& kept) {
+  Contact::recall(kept);
+  fragments_.surfaceChanged();
+}
+
+void BodyContact::find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
+                       std::vector<Candidate>* candidates) {
+  if (searched_version_ != skin.version()) fragments_.surfaceChanged();
+  searched_version_ = skin.version();
+  if (self_)
+    fragments_.find(skin.surface(), skin.x(), skin.v(), start.span.time_step,
+                    CONTACT_STIFFNESS * skin.surface().young_modulus, skin.threads(), candidates);
+  findSolidContacts(skin, start.span, {obstacles_, motions_}, touches, candidates);
+}
+
+}  // namespace incision

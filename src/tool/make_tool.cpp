@@ -1,0 +1,26 @@
+#include "incision/tool/make_tool.h"
+
+#include "incision/tool/blade/blade.h"
+#include "incision/tool/blade/blade_edge.h"
+
+namespace incision {
+namespace {
+
+std::unique_ptr<ToolContact> touchingShapes(const ToolSettings& settings, const std::string& urdf,
+                                            const std::optional<Edge>& edge, ContactSkin* skin) {
+  if (!skin || settings.link.empty() || urdf.empty()) return nullptr;
+  Obstacles shapes = loadLink(settings.link, urdf, settings.description);
+  if (shapes.shapes.empty()) return nullptr;
+  return std::make_unique<ToolContact>(std::move(shapes), settings.friction, edge, skin);
+}
+
+}  // namespace
+
+std::unique_ptr<Tool> makeTool(const ToolSettings& settings, const std::string& urdf,
+                               const ToolSurroundings& surroundings) {
+  const Edge edge = bladeEdge(settings, urdf, settings.description);
+  return std::make_unique<Blade>(settings, edge, surroundings.materials, surroundings.mesh,
+                                 touchingShapes(settings, urdf, edge, surroundings.skin));
+}
+
+}  // namespace incision

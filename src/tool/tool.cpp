@@ -1,0 +1,91 @@
+#include "incision/tool/tool.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace incision {
+
+Tool::Tool(const ToolSettings& settings, std::unique_ptr<ToolContact> touching)
+    : settings_(settings), touching_(std::move(touching)) {
+  if (touching_) touching_->setTool(&tool_.in_step);
+}
+
+const Obstacles& Tool::shapes() const {
+  static const Obstacles none;
+  return touching_ ? touching_->shapes() : none;
+}
+
+std::vector<Coupler*> Tool::couplers() {
+  if (!touching_) return {};
+  return {touching_.get()};
+}
+
+void Tool::guide(const std::vector<Pose>& path) {
+  auto next = path.begin();
+  if (!tool_.pose && next != path.end()) tool_.pose = *next++;
+  tool_.path.insert(tool_.path.end(), next, path.end());
+}
+
+std::optional<CutResult> Tool::place(const Pose& pose) {
+  tool_.pose = pose;
+  tool_.path.clear();
+  return interrupt();
+}
+
+std::optional<CutResult> Tool::lift() {
+  tool_.pose.reset();
+  tool_.path.clear();
+  return interrupt();
+}
+
+std::optional<CutResult> Tool::activate(bool active) {
+  if (active == tool_.in_step.active) return std::nullopt;
+  tool_.in_step.active = active;
+  return interrupt();
+}
+
+void Tool::startStep(double time, double time_step, const std::vector<Vec3>& x) {
+  if (!tool_.pose) tool_.pose = scriptedPose(time);
+  way_.clear();
+  ToolInStep& step = tool_.in_step;
+  step.in_place = tool_.pose.has_value();
+  step.felt = Wrench();
+  if (!step.in_place) return;
+  way_ = tool_.path;
+  if (const std::optional<Pose> pose = scriptedPose(time + time_step)) way_.push_back(*pose);
+  step.motion = {*tool_.pose, way_.empty() ? *tool_.pose : way_.back()};
+  start(*tool_.pose, x);
+}
+
+std::optional<CutResult> Tool::endStep(double time_step, const Motion& motion, MeshDoor* door) {
+  if (!tool_.in_step.in_place) return std::nullopt;
+  tool_.pose = tool_.in_step.motion.to;
+  tool_.path.clear();
+  if (!tool_.in_step.active) return std::nullopt;
+  return act(tool_.in_step.motion.from, way_, time_step, motion, door);
+}
+
+ToolReport Tool::report() const {
+  ToolReport report;
+  if (!tool_.pose) return report;
+  const Wrench felt = seenFrom(tool_.in_step.motion.from, tool_.in_step.felt);
+  report.force = felt.force;
+  report.torque = felt.torque;
+  report.touching = !felt.force.isZero(0);
+  return report;
+}
+
+/// The pose that the scene gives for a time, if it gives one.
+std::optional<Pose> Tool::scriptedPose(double at) const {
+  const std::vector<TimedPose>& poses = settings_.poses;
+  if (poses.empty() || at < poses.front().time - DUE_TOLERANCE || at > poses.back().time + DUE_TOLERANCE)
+    return std::nullopt;
+  const auto after =
+      std::lower_bound(poses.begin(), poses.end(), at, [](const TimedPose& pose, double t) { return pose.time < t; });
+  if (after == poses.begin()) return poses.front().pose;
+  if (after == poses.end()) return poses.back().pose;
+  const auto previous = after - 1;
+  return between(previous->pose, after->pose, (at - previous->time) / (after->time - previous->time));
+}
+
+}  // namespace incision

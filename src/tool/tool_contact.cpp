@@ -1,0 +1,26 @@
+#include "incision/tool/tool_contact.h"
+
+#include <utility>
+
+#include "incision/contact/solid_contacts.h"
+
+namespace incision {
+
+ToolContact::ToolContact(Obstacles shapes, double friction, const std::optional<Edge>& edge, ContactSkin* skin)
+    : Contact(friction, skin), shapes_(std::move(shapes)), edge_(edge), motions_(1) {}
+
+void ToolContact::accept(const StepSpan& span, const Motion& end, const Wrench& felt) {
+  Contact::accept(span, end, felt);
+  tool_->feel(span, felt);
+}
+
+void ToolContact::find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
+                       std::vector<Candidate>* candidates) {
+  motions_[0] = tool_->motion;
+  SolidsInStep solids{shapes_, motions_};
+  solids.in_slits = true;
+  if (edge_ && tool_->active) solids.cutting_edge = &*edge_;
+  findSolidContacts(skin, start.span, solids, touches, candidates);
+}
+
+}  // namespace incision
