@@ -29,6 +29,13 @@ struct Coupling {
   }
 };
 
+/// Σ_i weights[i] values[copies[i]]: y of the positions, ẏ of the velocities.
+inline Vec3 weightedSum(const Coupling& coupling, const std::vector<Vec3>& values) {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < coupling.count; ++i) sum += coupling.weights[i] * values[coupling.copies[i]];
+  return sum;
+}
+
 /// Writes the couplings of a step of `time_step` [s], for velocities at its end as far as they are known [m/s]: before
 /// the first solve they are a guess. Returns whether the couplings have changed so much that it takes another solve.
 using Couple = std::function<bool(double time_step, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings)>;
