@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
+
+#include "incision/base/lists.h"
 
 namespace incision {
 namespace {
@@ -28,27 +29,28 @@ double sharedWeight(const SurfaceVertex& a, const SurfaceVertex& b) {
   return shared;
 }
 
-/// Vertices at one place lie on the two sides of a cut, and so in the order of their first coordinate near each other.
+/// ContactSurface::own of every vertex. Vertices at one place lie on the two sides of a cut, and are near each other
+/// when all vertices of cuts are sorted by the sum of their coordinates.
 std::vector<double> ownWeights(const ContactSurface& surface) {
-  std::vector<int> order;
+  std::vector<int> sorted;
   std::vector<char> is_cut(surface.rest.size(), false);
   for (std::size_t t = 0; t < surface.surface->triangles.size(); ++t) {
     if (!surface.surface->cut_face[t]) continue;
     for (int v : surface.surface->triangles[t])
-      if (!std::exchange(is_cut[v], true)) order.push_back(v);
+      if (!std::exchange(is_cut[v], true)) sorted.push_back(v);
   }
   const auto at = [&](int v) { return surface.rest[v].sum(); };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return at(a) < at(b); });
+  std::sort(sorted.begin(), sorted.end(), [&](int a, int b) { return at(a) < at(b); });
   std::vector<double> own(surface.rest.size(), 1);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const int a = order[i];
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const int a = sorted[i];
     const double near = SAME_PLACE * surface.size[a];
-    for (std::size_t k = i + 1; k < order.size() && at(order[k]) - at(a) < 2 * near; ++k) {
-      const int b = order[k];
+    for (std::size_t k = i + 1; k < sorted.size() && at(sorted[k]) - at(a) < 2 * near; ++k) {
+      const int b = sorted[k];
       if ((surface.rest[a] - surface.rest[b]).norm() > near) continue;
-      const double left = 1 - sharedWeight(surface.surface->vertices[a], surface.surface->vertices[b]);
-      own[a] = std::min(own[a], left);
-      own[b] = std::min(own[b], left);
+      const double unshared = 1 - sharedWeight(surface.surface->vertices[a], surface.surface->vertices[b]);
+      own[a] = std::min(own[a], unshared);
+      own[b] = std::min(own[b], unshared);
     }
   }
   return own;
@@ -63,24 +65,24 @@ class Builder {
     const std::size_t vertices = made_.surface->vertices.size();
     made_.size.assign(vertices, 0);
     made_.area.assign(vertices, 0);
-    std::vector<int> count(vertices + 1, 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       areas_.push_back(areaVector(made_.rest, triangles[t]));
       const double size = std::cbrt(6 * elementVolume(mesh.mesh(), mesh.parts()[made_.surface->part[t]].element));
       for (int v : triangles[t]) {
         made_.size[v] += size;
         made_.area[v] += areas_[t].norm() / 3;
-        ++count[v + 1];
       }
     }
-    for (std::size_t v = 0; v < vertices; ++v) made_.size[v] /= std::max(1, count[v + 1]);
-    std::partial_sum(count.begin(), count.end(), count.begin());
-    std::vector<int> round(count.back()), next(count.begin(), count.end() - 1);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int v : triangles[t]) round[next[v]++] = static_cast<int>(t);
-    for (std::size_t v = 0; v < vertices; ++v) {
+    Lists<int> triangles_at;  // each vertex
+    triangles_at.sort(static_cast<int>(vertices), [&](const auto& add) {
+      for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (int v : triangles[t]) add(v, static_cast<int>(t));
+    });
+    for (int v = 0; v < triangles_at.count(); ++v) {
+      const Span<const int> around = std::as_const(triangles_at)[v];
+      made_.size[v] /= std::max(1, around.size());
       made_.sample_start.push_back(static_cast<int>(made_.samples.size()));
-      addSamples(static_cast<int>(v), {round.begin() + count[v], round.begin() + count[v + 1]});
+      addSamples(v, {around.begin(), around.end()});
     }
     made_.sample_start.push_back(static_cast<int>(made_.samples.size()));
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "incision/base/parallel.h"
 
@@ -60,14 +59,14 @@ Vec3 normalised(const Vec3& a) {
 /// surface meets itself at an edge, the material holds them together.
 constexpr double ONE_POINT = 0.05;
 
-bool isOnePoint(const Coupling& held) {
+bool isOnePoint(const Coupling& contact) {
   double sum = 0;
-  for (int i = 0; i < held.count; ++i) sum += std::abs(held.weights[i]);
+  for (int i = 0; i < contact.count; ++i) sum += std::abs(contact.weights[i]);
   return sum < ONE_POINT;
 }
 
 /// Whether it has no area at rest: such triangles close the surface between parts that neither hang together nor are
-/// severed. Their corners may belong to several parts, to more copies than a coupling can hold.
+/// severed. Their corners may belong to several parts, to more copies than a coupling has room for.
 bool closesGap(const ContactSurface& surface, int triangle) {
   const auto& [a, b, c] = surface.surface->triangles[triangle];
   const auto& X = surface.rest;
@@ -171,7 +170,7 @@ Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& p
   made.normal_in_solid.setZero();
   made.size = surface.size[sample.vertex];
   made.stiffness = share * stiffness * sample.area / made.size;
-  made.point = heldBy(surface, pair);
+  made.point = between(surface, pair);
   return made;
 }
 
@@ -197,17 +196,17 @@ FragmentFinder::Cell FragmentFinder::cellOf(const Vec3& point) const {
 }
 
 /// Mixes the three numbers by odd constants of many bits.
-std::size_t FragmentFinder::slotOf(const Cell& cell) const {
+int FragmentFinder::slotOf(const Cell& cell) const {
   const Eigen::Array<std::uint64_t, 3, 1> u = cell.cast<std::uint64_t>();
   const std::uint64_t h = (u[0] * 0x9E3779B97F4A7C15) ^ (u[1] * 0xC2B2AE3D27D4EB4F) ^ (u[2] * 0x165667B19E3779F9);
-  return static_cast<std::size_t>(h ^ (h >> 29)) & (slot_start_.size() - 2);
+  return static_cast<int>(static_cast<std::size_t>(h ^ (h >> 29)) & (slots_ - 1));
 }
 
 /// Calls f(slot) for the cells that a box meets, or returns false where those are too many to be worth it.
 template <typename Function>
 bool FragmentFinder::forEachSlot(const Eigen::AlignedBox3d& box, const Function& f) const {
   const Cell first = cellOf(box.min()), last = cellOf(box.max());
-  if ((last - first + 1).cast<double>().prod() > static_cast<double>(slot_start_.size())) return false;
+  if ((last - first + 1).cast<double>().prod() > static_cast<double>(slots_ + 1)) return false;
   for (Cell cell = first; cell[0] <= last[0]; ++cell[0])
     for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
       for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) f(slotOf(cell));
@@ -220,23 +219,15 @@ Eigen::AlignedBox3d FragmentFinder::pathOf(const std::vector<Vec3>& x, int verte
   return {x[vertex].cwiseMin(end), x[vertex].cwiseMax(end)};
 }
 
-/// A hashed grid: cells that share a slot only cost time. A counting sort keeps it linear.
+/// A hashed grid: cells that share a slot only cost time.
 void FragmentFinder::fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x) {
   cell_ = surface.mean_size;
-  std::size_t slots = 1;
-  while (slots < 2 * surface.samples.size()) slots *= 2;
-  slot_start_.assign(slots + 1, 0);
-  const auto forEachEntry = [&](const auto& f) {
+  slots_ = 1;
+  while (slots_ < 2 * surface.samples.size()) slots_ *= 2;
+  samples_in_.sort(static_cast<int>(slots_), [&](const auto& add) {
     for (std::size_t s = 0; s < surface.samples.size(); ++s)
-      forEachSlot(pathOf(x, surface.samples[s].vertex), [&](std::size_t slot) { f(slot, static_cast<int>(s)); });
-  };
-  forEachEntry([&](std::size_t slot, int) { ++slot_start_[slot + 1]; });
-  std::partial_sum(slot_start_.begin(), slot_start_.end(), slot_start_.begin());
-  slot_samples_.resize(slot_start_.back());
-  forEachEntry([&](std::size_t slot, int sample) { slot_samples_[slot_start_[slot]++] = sample; });
-  // Each start has moved on to the next slot's.
-  std::copy_backward(slot_start_.begin(), slot_start_.end() - 1, slot_start_.end());
-  slot_start_[0] = 0;
+      forEachSlot(pathOf(x, surface.samples[s].vertex), [&](int slot) { add(slot, static_cast<int>(s)); });
+  });
 }
 
 void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle,
@@ -250,15 +241,15 @@ void FragmentFinder::pairTriangle(const ContactSurface& surface, const std::vect
     if (room.intersects(pathOf(x, surface.samples[sample].vertex)) && meets(surface, x, triangle, sample, &pair))
       pairs->push_back(pair);
   };
-  const bool done = forEachSlot(room, [&](std::size_t slot) {
-    for (int at = slot_start_[slot]; at < slot_start_[slot + 1]; ++at) consider(slot_samples_[at]);
+  const bool done = forEachSlot(room, [&](int slot) {
+    for (int sample : samples_in_[slot]) consider(sample);
   });
   // A triangle stretched out of all proportion.
   for (std::size_t s = 0; !done && s < surface.samples.size(); ++s) consider(static_cast<int>(s));
 }
 
 /// Whether a sample lies before or just behind a triangle that faces it, near enough to meet it in the step, with
-/// nothing of its own in between.
+/// nothing of its piece in between.
 bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample,
                            Pair* pair) const {
   const Vec3& n = normals_[triangle];
@@ -275,16 +266,16 @@ bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3
   const auto& X = surface.rest;
   const Vec3 N = normalised((X[b] - X[a]).cross(X[c] - X[a])), from = X[vertex] - X[a];
   const bool behind = N.dot(from) < -SAME_PLANE * size && from.norm() < NEAR_AT_REST * size;
-  return !behind && !isOnePoint(heldBy(surface, *pair));
+  return !behind && !isOnePoint(between(surface, *pair));
 }
 
-/// What a contact holds: the sample's point less its foot.
-Coupling FragmentFinder::heldBy(const ContactSurface& surface, const Pair& pair) {
-  Coupling held;
-  addVertex(surface.surface->vertices[surface.samples[pair.sample].vertex], 1, &held);
+/// What a contact acts on: the sample's point less its foot.
+Coupling FragmentFinder::between(const ContactSurface& surface, const Pair& pair) {
+  Coupling contact;
+  addVertex(surface.surface->vertices[surface.samples[pair.sample].vertex], 1, &contact);
   for (int k = 0; k < 3; ++k)
-    addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k], &held);
-  return held;
+    addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k], &contact);
+  return contact;
 }
 
 }  // namespace incision

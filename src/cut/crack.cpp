@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "incision/cut/cut_mesh.h"
+#include "incision/cut/point.h"
 
 namespace incision {
 namespace {
@@ -49,9 +50,7 @@ CrackField planeField(const PlaneCut& plane, const CutMesh& mesh, const std::vec
   if (!plane.bounded()) return field;
   const Vec3 t = across(plane.tangent, n).normalized(), b = n.cross(t);
   field.contains = [plane, t, b, &mesh, &x](int part, const std::vector<Barycentric>& polygon) {
-    const Barycentric N = polygonCentroid(polygon);
-    Vec3 r = -plane.point;
-    for (int I = 0; I < 4; ++I) r += N[I] * x[mesh.parts()[part].copies[I]];
+    const Vec3 r = at(mesh.parts()[part], polygonCentroid(polygon), x) - plane.point;
     return (plane.length == 0 || std::abs(t.dot(r)) <= plane.length / 2) &&
            (plane.width == 0 || std::abs(b.dot(r)) <= plane.width / 2);
   };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "incision/base/disjoint_sets.h"
+
 namespace incision {
 namespace {
 
@@ -40,10 +42,10 @@ Owned owned(int part, const Polytope& polytope, const Facet& facet, const std::a
 CutMesh::CutMesh(TetMesh mesh, int threads)
     : mesh_(std::move(mesh)), threads_(threads), topology_(buildTopology(mesh_)), shortest_edge_(shortestEdges(mesh_)) {
   own_copy_.assign(mesh_.nodes.size(), -1);
-  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
-    if (topology_.star_start[n] == topology_.star_start[n + 1]) continue;
+  for (int n = 0; n < topology_.star.count(); ++n) {
+    if (topology_.star[n].size() == 0) continue;
     own_copy_[n] = numCopies();
-    copy_node_.push_back(static_cast<int>(n));
+    copy_node_.push_back(n);
   }
   copy_parent_.resize(copy_node_.size());
   std::iota(copy_parent_.begin(), copy_parent_.end(), 0);
@@ -119,22 +121,12 @@ void CutMesh::recall(const Memory& memory) {
 }
 
 std::vector<int> CutMesh::copyPieces(int* num_pieces) const {
-  std::vector<int> link(numCopies());
-  std::iota(link.begin(), link.end(), 0);
-  const auto root = [&link](int c) {
-    while (link[c] != c) c = link[c] = link[link[c]];
-    return c;
-  };
+  DisjointSets pieces(numCopies());
   for (const Part& part : parts_)
-    for (int I = 1; I < 4; ++I) {
-      if (link[part.copies[0]] == link[part.copies[I]]) continue;
-      const int a = root(part.copies[0]), b = root(part.copies[I]);
-      link[std::max(a, b)] = std::min(a, b);
-    }
-  std::vector<int> piece(numCopies());
-  *num_pieces = 0;
-  for (int c = 0; c < numCopies(); ++c) piece[c] = link[c] == c ? (*num_pieces)++ : piece[root(c)];
-  return piece;
+    for (int I = 1; I < 4; ++I) pieces.join(part.copies[0], part.copies[I]);
+  std::vector<int> piece_of;
+  *num_pieces = pieces.enumerate(&piece_of);
+  return piece_of;
 }
 
 }  // namespace incision

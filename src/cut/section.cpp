@@ -29,18 +29,6 @@ struct Side {
 
 }  // namespace
 
-Vec3 atRest(const CutMesh& mesh, int element, const Barycentric& point) {
-  Vec3 X = Vec3::Zero();
-  for (int I = 0; I < 4; ++I) X += point[I] * mesh.mesh().nodes[mesh.mesh().elements[element][I]];
-  return X;
-}
-
-Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x) {
-  Vec3 y = Vec3::Zero();
-  for (int I = 0; I < 4; ++I) y += point[I] * x[part.copies[I]];
-  return y;
-}
-
 const Facet* facetOf(const Polytope& polytope, int crack) {
   for (const Facet& facet : polytope.facets)
     if (facet.crack == crack) return &facet;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 #include "incision/base/parallel.h"
 #include "incision/fem/rotation.h"
@@ -37,7 +37,7 @@ Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, Pre
 void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched) {
   found_at_.clear();
   const std::vector<Part>& parts = mesh_.parts();
-  const bool first = corner_start_.empty();
+  const bool first = corners_.count() == 0;
   std::vector<char> is_touched(mesh_.mesh().nodes.size(), first);
   for (int node : touched) is_touched[node] = 1;
   findCorners(is_touched);
@@ -61,34 +61,26 @@ void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int
 void Assembly::findCorners(const std::vector<char>& touched) {
   const MeshTopology& topology = mesh_.topology();
   const int copies = mesh_.numCopies();
-  const auto forEachCorner = [&](const auto& f) {
-    for (std::size_t n = 0; n < touched.size(); ++n) {
+  Lists<Corner> sorted;
+  sorted.sort(copies, [&](const auto& add) {
+    for (int c = 0; c < copies; ++c) {
+      if (touched[mesh_.copyNode(c)]) continue;
+      for (const Corner& corner : corners_[c]) add(c, corner);
+    }
+    for (int n = 0; n < topology.star.count(); ++n) {
       if (!touched[n]) continue;
-      for (int s = topology.star_start[n]; s < topology.star_start[n + 1]; ++s) {
-        const auto& nodes = mesh_.mesh().elements[topology.star[s]];
-        const int I = static_cast<int>(std::find(nodes.begin(), nodes.end(), static_cast<int>(n)) - nodes.begin());
-        for (int p = topology.star[s]; p >= 0; p = mesh_.parts()[p].next) f(mesh_.parts()[p].copies[I], corner(p, I));
+      for (int e : topology.star[n]) {
+        const auto& nodes = mesh_.mesh().elements[e];
+        const int I = static_cast<int>(std::find(nodes.begin(), nodes.end(), n) - nodes.begin());
+        for (int p = e; p >= 0; p = mesh_.parts()[p].next) add(mesh_.parts()[p].copies[I], corner(p, I));
       }
     }
-  };
-  std::vector<int> start(copies + 1, 0);
-  for (int c = 0; c < copies; ++c)
-    if (!touched[mesh_.copyNode(c)]) start[c + 1] = corner_start_[c + 1] - corner_start_[c];
-  forEachCorner([&](int copy, const Corner&) { ++start[copy + 1]; });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-
-  std::vector<Corner> corners(start.back());
-  std::vector<int> end(start.begin(), start.end() - 1);
-  for (int c = 0; c < copies; ++c)
-    if (!touched[mesh_.copyNode(c)])
-      std::copy_n(corners_.begin() + corner_start_[c], start[c + 1] - start[c], corners.begin() + start[c]);
-  forEachCorner([&](int copy, const Corner& corner) { corners[end[copy]++] = corner; });
+  });
+  corners_ = std::move(sorted);
   for (int c = 0; c < copies; ++c)
     if (touched[mesh_.copyNode(c)])
-      std::sort(corners.begin() + start[c], corners.begin() + start[c + 1],
+      std::sort(corners_[c].begin(), corners_[c].end(),
                 [](const Corner& a, const Corner& b) { return a.part < b.part; });
-  corners_ = std::move(corners);
-  corner_start_ = std::move(start);
 }
 
 // The trace of K_cc is V_p (λ + 4 μ) b_I·b_I for each corner. The rounding of a force: F is a sum of y_J b_Jᵀ that
@@ -96,8 +88,8 @@ void Assembly::findCorners(const std::vector<char>& touched) {
 void Assembly::sumCorners(int c) {
   const double lambda = material_.lambda(), mu = material_.mu();
   masses_[c] = mass_diagonal_[c] = stiffness_diagonal_[c] = force_rounding_[c] = 0;
-  for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k) {
-    const int p = corners_[k].part, I = corners_[k].node;
+  for (const Corner& corner : corners_[c]) {
+    const int p = corner.part, I = corner.node;
     const Gradients b = rest_[mesh_.parts()[p].element].gradients();
     const double V = volume(p), largest = std::sqrt(b.colwise().squaredNorm().maxCoeff());
     masses_[c] += material_.density * V * mesh_.centroid(p)[I];
@@ -139,7 +131,6 @@ void Assembly::reset() {
   found_at_.clear();
   if (patches_) patches_->reset();
   corners_.clear();
-  corner_start_.clear();
 }
 
 // K_e is V_e Bᵀ D B, and B acts on R_pᵀ y − X through its gradient R_pᵀ F − I alone: the force on node I is V_p R σ
@@ -171,10 +162,7 @@ void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& ro
   mean_dilatations_.resize(patches_->count());
   parallelFor(patches_->count(), threads_, [&](int a) {
     double gained = 0;
-    for (int n = patches_->partStart(a); n < patches_->partStart(a + 1); ++n) {
-      const int p = patches_->parts()[n];
-      gained += volume(p) * dilatations_[p];
-    }
+    for (int p : patches_->parts()[a]) gained += volume(p) * dilatations_[p];
     mean_dilatations_[a] = gained / patchVolume(a);
   });
 }
@@ -206,7 +194,7 @@ void Assembly::gather(const Function& atCorner, std::vector<Vec3>* result) const
   result->resize(masses_.size());
   parallelFor(static_cast<int>(masses_.size()), threads_, [&](int c) {
     Vec3 sum = Vec3::Zero();
-    for (int k = corner_start_[c]; k < corner_start_[c + 1]; ++k) sum += atCorner(corners_[k]);
+    for (const Corner& corner : corners_[c]) sum += atCorner(corner);
     (*result)[c] = sum;
   });
 }
@@ -231,8 +219,7 @@ Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
   if (!patches_) return R * corotatedStress(R.transpose() * F, material_) * R.transpose();
   double gained = 0;
   const int a = patches_->of(part);
-  for (int n = patches_->partStart(a); n < patches_->partStart(a + 1); ++n) {
-    const int p = patches_->parts()[n];
+  for (int p : patches_->parts()[a]) {
     const Mat3 F_p = gradientOf(p, x);
     gained += volume(p) * (rotationAt(p, F_p).cwiseProduct(F_p).sum() - 3);
   }
@@ -262,7 +249,7 @@ double Assembly::volume(int part) const {
 
 double Assembly::patchVolume(int patch) const {
   double sum = 0;
-  for (int n = patches_->partStart(patch); n < patches_->partStart(patch + 1); ++n) sum += volume(patches_->parts()[n]);
+  for (int p : patches_->parts()[patch]) sum += volume(p);
   return sum;
 }
 

@@ -74,8 +74,7 @@ template <typename T>
 void addProducts(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
                  T* blocks) {
   const int copy = pattern.copies[row];
-  for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
-    const Corner& corner = assembly.corners()[k];
+  for (const Corner& corner : assembly.corners()[copy]) {
     const T* g = &gradients[12 * static_cast<std::size_t>(corner.part)];
     const OuterProduct<T> g_I(g + 3 * corner.node);
     for (int J = 0; J < 4; ++J)
@@ -88,8 +87,7 @@ template <typename T>
 void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<double>& scale,
                        double factor, T* blocks) {
   const int copy = pattern.copies[row];
-  for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
-    const Corner& corner = assembly.corners()[k];
+  for (const Corner& corner : assembly.corners()[copy]) {
     for (int J = 0; J < 4; ++J) {
       const int slot = slotOf(assembly, pattern, row, corner, J);
       if (slot < 0) continue;
@@ -106,9 +104,8 @@ void addPatches(const Assembly& assembly, const BlockPattern& pattern, int row, 
                 T* blocks) {
   const Patches& patches = *assembly.patches();
   const int copy = pattern.copies[row];
-  for (int u = patches.useStart(copy); u < patches.useStart(copy + 1); ++u) {
-    const auto& [a, i] = patches.uses()[u];
-    const T* h = &gradients[3 * static_cast<std::size_t>(patches.copyStart(a))];
+  for (const auto& [a, i] : patches.uses()[copy]) {
+    const T* h = &gradients[3 * static_cast<std::size_t>(patches.copies().start(a))];
     const OuterProduct<T> h_i(h + 3 * i);
     for (int j = 0; j < patches.numCopies(a); ++j)
       if (const int slot = patchSlotOf(patches, pattern, row, a, i, j); slot >= 0)
@@ -174,22 +171,23 @@ template <typename T>
 void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const BlockPattern& pattern, double stiffness,
                                            const std::vector<double>& scale) {
   const Patches& patches = *assembly.patches();
-  resizeWithRoom(patches.copies().size(), &volume_gradients_);
-  resizeWithRoom(3 * patches.copies().size() + 1, &patch_gradients_);  // a column is read as four
+  const std::size_t copies = patches.copies().values().size();
+  resizeWithRoom(copies, &volume_gradients_);
+  resizeWithRoom(3 * copies + 1, &patch_gradients_);  // a column is read as four
   parallelFor(patches.count(), assembly.threads(), [&](int a) {
-    const int first = patches.copyStart(a), count = patches.numCopies(a);
+    const int first = patches.copies().start(a), count = patches.numCopies(a);
     Vec3* const h = volume_gradients_.data() + first;
     std::fill_n(h, count, Vec3::Zero());
     double volume = 0;
-    for (int n = patches.partStart(a); n < patches.partStart(a + 1); ++n) {
-      const int p = patches.parts()[n];
+    for (int n = patches.parts().start(a); n < patches.parts().start(a + 1); ++n) {
+      const int p = patches.parts().values()[n];
       const Gradients g = assembly.rotatedGradients(p);
       for (int I = 0; I < 4; ++I) h[patches.indexOf(n, I)] += assembly.volume(p) * g.col(I);
       volume += assembly.volume(p);
     }
     const double root = std::sqrt(stiffness * assembly.material().lambda() / volume);
     for (int i = 0; i < count; ++i) {
-      const int row = pattern.row_of[patches.copies()[first + i]];
+      const int row = pattern.row_of[patches.copies()[a][i]];
       if (row < 0) continue;
       Eigen::Map<Eigen::Matrix<T, 3, 1>> scaled(&patch_gradients_[3 * static_cast<std::size_t>(first + i)]);
       scaled = (root * scale[row] * h[i]).template cast<T>();

@@ -11,8 +11,7 @@ namespace {
 /// Calls f(corner, J, column) for all that the parts round a copy couple it to; column −1 where J has no row.
 template <typename Function>
 void forEachCoupling(const Assembly& assembly, const std::vector<int>& row_of, int copy, const Function& f) {
-  for (int k = assembly.cornerStart()[copy]; k < assembly.cornerStart()[copy + 1]; ++k) {
-    const Corner& corner = assembly.corners()[k];
+  for (const Corner& corner : assembly.corners()[copy]) {
     const Part& part = assembly.mesh().parts()[corner.part];
     for (int J = 0; J < 4; ++J) f(corner, J, row_of[part.copies[J]]);
   }
@@ -24,19 +23,16 @@ template <typename Function>
 void forEachNeighbour(const Assembly& assembly, const std::vector<int>& row_of, int copy, const Function& f) {
   const Patches* patches = assembly.patches();
   if (!patches) return forEachCoupling(assembly, row_of, copy, [&](const Corner&, int, int column) { f(column); });
-  for (int u = patches->useStart(copy); u < patches->useStart(copy + 1); ++u) {
-    const int a = patches->uses()[u].patch;
-    for (int k = patches->copyStart(a); k < patches->copyStart(a + 1); ++k) f(row_of[patches->copies()[k]]);
-  }
+  for (const Patches::Use& use : patches->uses()[copy])
+    for (int other : patches->copies()[use.patch]) f(row_of[other]);
 }
 
 /// How often that calls f.
 int countNeighbours(const Assembly& assembly, int copy) {
   const Patches* patches = assembly.patches();
-  if (!patches) return 4 * (assembly.cornerStart()[copy + 1] - assembly.cornerStart()[copy]);
+  if (!patches) return 4 * assembly.corners()[copy].size();
   int count = 0;
-  for (int u = patches->useStart(copy); u < patches->useStart(copy + 1); ++u)
-    count += patches->numCopies(patches->uses()[u].patch);
+  for (const Patches::Use& use : patches->uses()[copy]) count += patches->numCopies(use.patch);
   return count;
 }
 
@@ -119,12 +115,11 @@ void findPatchSlots(const Assembly& assembly, BlockPattern* pattern) {
   const Patches& patches = *assembly.patches();
   pattern->patch_slots.resize(patches.pairStart(patches.count()));
   parallelFor(patches.count(), assembly.threads(), [&](int a) {
-    const auto begin = patches.copies().begin() + patches.copyStart(a), end = begin + patches.numCopies(a);
     auto slot = pattern->patch_slots.begin() + static_cast<std::ptrdiff_t>(patches.pairStart(a));
-    for (auto i = begin; i != end; ++i)
-      for (auto j = begin; j != end; ++j, ++slot) {
-        const int row = pattern->row_of[*i], column = pattern->row_of[*j];
-        *slot = static_cast<std::uint16_t>(
+    for (int i : patches.copies()[a])
+      for (int j : patches.copies()[a]) {
+        const int row = pattern->row_of[i], column = pattern->row_of[j];
+        *slot++ = static_cast<std::uint16_t>(
             row < 0 || column < 0 ? NO_SLOT : std::min<int>(pattern->slotIn(row, column), NO_SLOT));
       }
   });

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "incision/base/parallel.h"
-#include "incision/cut/section.h"
+#include "incision/cut/point.h"
 #include "incision/fracture/front.h"
 #include "incision/fracture/growth.h"
 
@@ -59,7 +59,7 @@ std::vector<CrackGrowth::PieceLoad> CrackGrowth::mostLoaded(const CutMesh& mesh,
     if (!(loading_[p].share > 1)) continue;
     PieceLoad& load = pieces[piece[mesh.parts()[p].copies[0]]];
     if (worse(p, load.worst)) load.worst = p;
-    if (!isSplit(mesh, p) && !isBeside(mesh, p) && barred_.count(p) == 0 && worse(p, load.start)) load.start = p;
+    if (!isSplit(mesh, p) && !isBeside(mesh, p) && memory_.barred.count(p) == 0 && worse(p, load.start)) load.start = p;
   }
   return pieces;
 }
@@ -68,7 +68,7 @@ std::vector<CrackGrowth::PieceLoad> CrackGrowth::mostLoaded(const CutMesh& mesh,
 double CrackGrowth::arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const {
   const Part &behind = mesh.parts()[fringe.behind], &ahead = mesh.parts()[fringe.ahead];
   const Barycentric middle = Barycentric::Constant(0.25);
-  const auto& reached = cracks_.at(fringe.crack)->reached;
+  const auto& reached = memory_.cracks.at(fringe.crack).reached;
   const auto since = reached.find(behind.element);
   if (since == reached.end()) return time;
   return since->second + (at(ahead, middle, x) - at(behind, middle, x)).norm() / settings_.crack_speed;
@@ -102,7 +102,7 @@ std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, c
 /// φ at the far copy of the part ahead of a fringe.
 double CrackGrowth::phiAhead(int fringe, const CutMesh& mesh, const std::vector<Vec3>& x) const {
   const Fringe& at = fringes_[fringe];
-  const Front front = frontOf(at, *cracks_.at(at.crack), mesh, x);
+  const Front front = frontOf(at, memory_.cracks.at(at.crack), mesh, x);
   const Vec3 normal = fuses() && targets_[fringe].point ? normalTowards(front, *targets_[fringe].point)
                                                         : crackNormal(stress_.smoothed()[at.ahead]);
   return phiBeyond(front, normal, x[mesh.parts()[at.ahead].copies[at.face]]);
@@ -112,16 +112,15 @@ double CrackGrowth::phiAhead(int fringe, const CutMesh& mesh, const std::vector<
 /// elements round the copy see one surface.
 std::vector<CrackAdvance> CrackGrowth::grow(const std::vector<int>& fringes, double earliest, const CutMesh& mesh,
                                             const std::vector<Vec3>& x) const {
-  std::map<std::pair<int, int>, Wanted> wanted;   // of each crack, at each copy
+  std::map<std::pair<int, int>, Wanted> wanted;   // of each surviving crack, at each copy
   std::map<int, std::map<int, double>> arrivals;  // of each crack, in each part
   for (int i : fringes) {
     const Fringe& fringe = fringes_[i];
-    const GrowingCrack& crack = *cracks_.at(fringe.crack);
     const int far = mesh.parts()[fringe.ahead].copies[fringe.face];
-    if (crack.phi.count(far) == 0) {
+    if (memory_.cracks.at(fringe.crack).phi.count(far) == 0) {
       const double phi = phiAhead(i, mesh, x);
       if (!std::isfinite(phi)) continue;  // the face is flat
-      Wanted& mean = wanted[{crack.number, far}];
+      Wanted& mean = wanted[{memory_.cracks.survivorOf(fringe.crack), far}];
       mean.sum += phi;
       ++mean.count;
     }
@@ -139,7 +138,7 @@ std::vector<CrackAdvance> CrackGrowth::grow(const std::vector<int>& fringes, dou
       if (loading_[part].share > advance.loading.share) advance.loading = loading_[part];
     }
     for (const auto& [at, mean] : wanted)
-      if (at.first == cracks_.at(number)->number)
+      if (at.first == memory_.cracks.survivorOf(number))
         advance.fresh.emplace_back(at.second, clearOf(mesh.copyNode(at.second), mean.sum / mean.count, mesh));
     advances.push_back(std::move(advance));
   }

@@ -42,6 +42,30 @@ void addFringes(const CutMesh& mesh, const GrowingCrack& crack, int part, const 
 
 }  // namespace
 
+int GrowingCracks::survivorOf(int number) const {
+  const auto found = taken_in.find(number);
+  return found == taken_in.end() ? number : found->second;
+}
+
+const GrowingCrack* GrowingCracks::find(int number) const {
+  const auto found = cracks.find(survivorOf(number));
+  return found == cracks.end() ? nullptr : &found->second;
+}
+
+void GrowingCracks::join(int number, int other, double sense) {
+  const int survivor = survivorOf(number), gone = survivorOf(other);
+  if (survivor == gone) return;
+  GrowingCrack& kept = cracks.at(survivor);
+  const GrowingCrack& joined = cracks.at(gone);
+  for (const auto& [copy, phi] : joined.phi) kept.phi.emplace(copy, sense * phi);
+  kept.reached.insert(joined.reached.begin(), joined.reached.end());
+  kept.refused.insert(joined.refused.begin(), joined.refused.end());
+  cracks.erase(gone);
+  for (auto& [from, to] : taken_in)
+    if (to == gone) to = survivor;
+  taken_in[gone] = survivor;
+}
+
 bool reaches(const Facet& facet, int face, const Polytope& polytope) {
   return std::count_if(facet.corners.begin(), facet.corners.end(),
                        [&](int c) { return polytope.corners[c][face] == 0; }) >= 2;
@@ -68,10 +92,10 @@ std::vector<Fringe> findFringes(const CutMesh& mesh, const GrowingCracks& cracks
   for (int p = 0; p < static_cast<int>(mesh.parts().size()); ++p) {
     if (mesh.parts()[p].detail < 0) continue;
     for (const Facet& facet : mesh.polytope(p).facets) {
-      const auto found = cracks.find(facet.crack);
-      if (found == cracks.end()) continue;
-      const auto phi = phiAt(*found->second, mesh.parts()[p]);
-      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, *found->second, p, facet, &fringes);
+      const GrowingCrack* crack = cracks.find(facet.crack);
+      if (!crack) continue;
+      const auto phi = phiAt(*crack, mesh.parts()[p]);
+      if (phi && phi->dot(mesh.centroid(p)) > 0) addFringes(mesh, *crack, p, facet, &fringes);
     }
   }
   return fringes;

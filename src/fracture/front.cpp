@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/cut/section.h"
+
 namespace incision {
 namespace {
 
@@ -97,8 +99,7 @@ std::vector<CrackFace> crackFaces(const CutMesh& mesh) {
     const Polytope& polytope = mesh.polytope(p);
     for (const Facet& facet : polytope.facets) {
       if (facet.face >= 0) continue;
-      std::vector<Barycentric> corners;
-      for (int c : facet.corners) corners.push_back(polytope.corners[c]);
+      const std::vector<Barycentric> corners = cornersOf(polytope, facet);
       for (const Barycentric& corner : corners) faces.push_back({facet.crack, p, corner});
       faces.push_back({facet.crack, p, polygonCentroid(corners)});
     }

@@ -2,25 +2,16 @@
 #include <cmath>
 
 #include "incision/base/parallel.h"
+#include "incision/cut/point.h"
 #include "incision/fracture/growth.h"
 
 namespace incision {
 namespace {
 
-Vec3 at(const CrackFace& face, const CutMesh& mesh, const std::vector<Vec3>& x) {
-  Vec3 y = Vec3::Zero();
-  for (int I = 0; I < 4; ++I) y += face.point[I] * x[mesh.parts()[face.part].copies[I]];
-  return y;
-}
-
 /// Forward in the crack's plane, across its line.
 Vec3 forward(const Front& front, const Vec3& behind) {
   const Vec3 n = front.behind.normalized(), away = middleOf(front) - behind;
   return away - n.dot(away) * n;
-}
-
-Vec3 centre(const Part& part, const std::vector<Vec3>& x) {
-  return (x[part.copies[0]] + x[part.copies[1]] + x[part.copies[2]] + x[part.copies[3]]) / 4;
 }
 
 bool haveMet(const GrowingCrack& a, const GrowingCrack& b) {
@@ -30,26 +21,26 @@ bool haveMet(const GrowingCrack& a, const GrowingCrack& b) {
 }  // namespace
 
 bool CrackGrowth::hasGrown(const Fringe& fringe, const CutMesh& mesh) const {
-  return cracks_.at(fringe.crack)->reached.count(mesh.parts()[fringe.behind].element) > 0;
+  return memory_.cracks.at(fringe.crack).reached.count(mesh.parts()[fringe.behind].element) > 0;
 }
 
 std::vector<CrackResult> CrackGrowth::fuse(double time, const CutMesh& mesh, const std::vector<Vec3>& x) {
   const auto grown = [&](const Fringe& fringe) { return hasGrown(fringe, mesh); };
-  if (!fuses() || settings_.fuse_angle <= 0 || cracks_.size() < 2) return {};
+  if (!fuses() || settings_.fuse_angle <= 0 || memory_.cracks.cracks.size() < 2) return {};
   if (std::none_of(fringes_.begin(), fringes_.end(), grown)) return {};
   std::vector<Front> fronts;
-  for (const Fringe& fringe : fringes_) fronts.push_back(frontOf(fringe, *cracks_.at(fringe.crack), mesh, x));
+  for (const Fringe& fringe : fringes_) fronts.push_back(frontOf(fringe, memory_.cracks.at(fringe.crack), mesh, x));
 
   std::vector<CrackResult> events;
   for (std::size_t i = 0; i < fringes_.size(); ++i) {
     if (!grown(fringes_[i])) continue;
     for (std::size_t j = 0; j < fringes_.size(); ++j) {
       const int crack = fringes_[i].crack, other = fringes_[j].crack;
-      if (cracks_.at(crack) == cracks_.at(other)) continue;
+      if (memory_.cracks.survivorOf(crack) == memory_.cracks.survivorOf(other)) continue;
       const Vec3 a = middleOf(fronts[i]), b = middleOf(fronts[j]), n = fronts[i].behind.normalized();
       const double cosine = n.dot(fronts[j].behind.normalized());
       if ((a - b).norm() > settings_.fuse_distance || std::abs(cosine) < std::cos(settings_.fuse_angle)) continue;
-      if (haveMet(*cracks_.at(crack), *cracks_.at(other))) continue;  // they run into each other instead
+      if (haveMet(memory_.cracks.at(crack), memory_.cracks.at(other))) continue;  // they run into each other instead
       CrackResult event;
       event.time = time;
       event.change = CrackChange::FUSED;
@@ -58,20 +49,10 @@ std::vector<CrackResult> CrackGrowth::fuse(double time, const CutMesh& mesh, con
       event.where = (a + b) / 2;
       event.normal = n;
       events.push_back(event);
-      join(event.crack, event.other, cosine < 0 ? -1 : 1);
+      memory_.cracks.join(event.crack, event.other, cosine < 0 ? -1 : 1);
     }
   }
   return events;
-}
-
-/// One crack of two, of which the other's φ has this sense.
-void CrackGrowth::join(int crack, int other, double sense) {
-  const std::shared_ptr<GrowingCrack> kept = cracks_.at(crack), joined = cracks_.at(other);
-  for (const auto& [copy, phi] : joined->phi) kept->phi.emplace(copy, sense * phi);
-  kept->reached.insert(joined->reached.begin(), joined->reached.end());
-  kept->refused.insert(joined->refused.begin(), joined->refused.end());
-  for (auto& [number, grown] : cracks_)
-    if (grown == joined) grown = kept;
 }
 
 /// For each fringe, the nearest point of another crack's face in the same piece that lies ahead within `fuse_distance`.
@@ -81,13 +62,13 @@ void CrackGrowth::findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, c
   const auto pieceOf = [&](int part) { return piece[mesh.parts()[part].copies[0]]; };
   parallelFor(static_cast<int>(fringes_.size()), mesh.threads(), [&](int i) {
     const Fringe& fringe = fringes_[i];
-    const Front front = frontOf(fringe, *cracks_.at(fringe.crack), mesh, x);
-    const Vec3 ahead = forward(front, centre(mesh.parts()[fringe.behind], x));
+    const Front front = frontOf(fringe, memory_.cracks.at(fringe.crack), mesh, x);
+    const Vec3 ahead = forward(front, at(mesh.parts()[fringe.behind], Barycentric::Constant(0.25), x));
     double nearest = settings_.fuse_distance;
     targets_[i] = {middleOf(front), std::nullopt, false, false};
     for (const CrackFace& face : faces_) {
       if (face.crack == fringe.crack || pieceOf(face.part) != pieceOf(fringe.ahead)) continue;
-      const Vec3 to = at(face, mesh, x) - targets_[i].middle;
+      const Vec3 to = at(mesh.parts()[face.part], face.point, x) - targets_[i].middle;
       if (to.norm() > nearest || to.dot(ahead) < 0) continue;
       nearest = to.norm();
       targets_[i].point = targets_[i].middle + to;

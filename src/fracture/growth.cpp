@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "incision/cut/section.h"
+
 namespace incision {
 namespace {
 
@@ -11,7 +13,7 @@ struct NewSurface {
   Vec3 area = Vec3::Zero(), centroid = Vec3::Zero();
 };
 
-/// Of the facets that the crack has made in these parts, seen from its negative side.
+/// The surface of the facets that the crack has made in these parts, seen from its negative side.
 NewSurface newSurface(int crack, const std::vector<int>& parts, const CutMesh& mesh, const std::vector<Vec3>& x) {
   NewSurface surface;
   double sum = 0;
@@ -19,9 +21,7 @@ NewSurface newSurface(int crack, const std::vector<int>& parts, const CutMesh& m
     for (const Facet& facet : mesh.polytope(p).facets) {
       if (facet.crack != crack) continue;
       const auto place = [&](std::size_t i) {
-        Vec3 y = Vec3::Zero();
-        for (int I = 0; I < 4; ++I) y += mesh.polytope(p).corners[facet.corners[i]][I] * x[mesh.parts()[p].copies[I]];
-        return y;
+        return at(mesh.parts()[p], mesh.polytope(p).corners[facet.corners[i]], x);
       };
       const Vec3 base = place(0);
       for (std::size_t i = 2; i < facet.corners.size(); ++i) {
@@ -46,11 +46,11 @@ std::vector<int> elementsOf(const std::vector<int>& parts, const CutMesh& mesh) 
 void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<int>& touched) {
   const CutMesh& mesh = assembly.mesh();
   inherit(mesh);
-  waiting_.resize(mesh.mesh().nodes.size(), 0);
+  memory_.waiting.resize(mesh.mesh().nodes.size(), 0);
   wait(touched);
   stress_.topologyChanged(assembly);
   loading_.resize(mesh.parts().size());
-  fringes_ = findFringes(mesh, cracks_);
+  fringes_ = findFringes(mesh, memory_.cracks);
   if (fuses()) {
     faces_ = crackFaces(mesh);
     targets_.resize(fringes_.size());
@@ -61,20 +61,20 @@ void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<in
 }
 
 void CrackGrowth::stepTaken() {
-  if (!any_waiting_) return;
-  waiting_.assign(waiting_.size(), 0);
-  any_waiting_ = false;
+  if (!memory_.any_waiting) return;
+  memory_.waiting.assign(memory_.waiting.size(), 0);
+  memory_.any_waiting = false;
 }
 
 void CrackGrowth::wait(const std::vector<int>& nodes) {
-  for (int node : nodes) waiting_[node] = 1;
-  any_waiting_ = any_waiting_ || !nodes.empty();
+  for (int node : nodes) memory_.waiting[node] = 1;
+  memory_.any_waiting = memory_.any_waiting || !nodes.empty();
 }
 
 bool CrackGrowth::waits(const CutMesh& mesh, int part) const {
-  if (!any_waiting_) return false;
+  if (!memory_.any_waiting) return false;
   const auto& nodes = mesh.mesh().elements[mesh.parts()[part].element];
-  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return waiting_[node] != 0; });
+  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return memory_.waiting[node] != 0; });
 }
 
 bool CrackGrowth::isBeside(const CutMesh& mesh, int part) const {
@@ -90,7 +90,7 @@ std::optional<CrackField> CrackGrowth::field(const CrackAdvance& advance, const 
   if (field.parts.empty()) return std::nullopt;
   field.phi.assign(mesh.numCopies(), 0);
   if (advance.crack >= 0) {
-    const GrowingCrack& crack = *cracks_.at(advance.crack);
+    const GrowingCrack& crack = memory_.cracks.at(advance.crack);
     for (int p : field.parts)
       for (int c : mesh.parts()[p].copies)
         if (const auto known = crack.phi.find(c); known != crack.phi.end()) field.phi[c] = known->second;
@@ -129,10 +129,11 @@ CrackResult CrackGrowth::refused(double time, const CrackAdvance& advance) {
   event.change = CrackChange::STOPPED;
   event.kind = advance.loading.kind;
   event.stress = advance.loading.stress;
-  std::set<int>& refused = advance.crack < 0 ? barred_ : cracks_.at(advance.crack)->refused;
+  std::set<int>& refused = advance.crack < 0 ? memory_.barred : memory_.cracks.at(advance.crack).refused;
   refused.insert(advance.parts.begin(), advance.parts.end());
   const auto gone = [&](const Fringe& fringe) {
-    return fringe.crack == advance.crack && refused.count(fringe.ahead) > 0;
+    return advance.crack >= 0 && memory_.cracks.survivorOf(fringe.crack) == memory_.cracks.survivorOf(advance.crack) &&
+           refused.count(fringe.ahead) > 0;
   };
   fringes_.erase(std::remove_if(fringes_.begin(), fringes_.end(), gone), fringes_.end());
   if (fuses()) targets_.resize(fringes_.size());
@@ -145,29 +146,25 @@ void CrackGrowth::adopt(const CrackField& field, const Insertion& done, const Cu
 
 /// Keeps φ at the copies that the split parts had before.
 GrowingCrack& CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
-  std::shared_ptr<GrowingCrack>& crack = cracks_[done.crack];
-  if (!crack) {
-    crack = std::make_shared<GrowingCrack>();
-    crack->number = done.crack;
-  }
+  GrowingCrack& crack = memory_.cracks.cracks[memory_.cracks.survivorOf(done.crack)];
   const int before = static_cast<int>(field.phi.size());
   for (int p : done.parts)
     for (int c : mesh.parts()[p].copies) {
       const int old = c < before ? c : mesh.copyParent(c);
-      crack->phi[old] = field.phi[old];
+      crack.phi[old] = field.phi[old];
     }
   inherit(mesh);
   wait(done.touched);
-  return *crack;
+  return crack;
 }
 
 /// New copies have φ of every crack from their parents.
 void CrackGrowth::inherit(const CutMesh& mesh) {
-  for (; known_copies_ < mesh.numCopies(); ++known_copies_)
-    for (auto& [number, crack] : cracks_)
-      if (const auto parent = crack->phi.find(mesh.copyParent(known_copies_)); parent != crack->phi.end()) {
-        const double phi = parent->second;  // of its own, as the next line may move it
-        crack->phi[known_copies_] = phi;
+  for (int& copy = memory_.known_copies; copy < mesh.numCopies(); ++copy)
+    for (auto& [name, crack] : memory_.cracks.cracks)
+      if (const auto parent = crack.phi.find(mesh.copyParent(copy)); parent != crack.phi.end()) {
+        const double phi = parent->second;  // taken out first, since the next line may move what it points to
+        crack.phi[copy] = phi;
       }
 }
 

@@ -1,25 +1,20 @@
 #include "incision/fracture/stress.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "incision/base/parallel.h"
+#include "incision/cut/section.h"
 #include "incision/fracture/fringe.h"
 
 namespace incision {
 namespace {
 
-bool hasFacetOf(const Polytope& polytope, int crack) {
-  return std::any_of(polytope.facets.begin(), polytope.facets.end(),
-                     [crack](const Facet& facet) { return facet.crack == crack; });
-}
-
 /// Whether a crack that splits the part ends at this face of it, so that it does not split the part across.
 bool crackEndsAt(const CutMesh& mesh, int part, int face, int across) {
   const Polytope& polytope = mesh.polytope(part);
   return std::any_of(polytope.facets.begin(), polytope.facets.end(), [&](const Facet& facet) {
-    return facet.face < 0 && reaches(facet, face, polytope) && !hasFacetOf(mesh.polytope(across), facet.crack);
+    return facet.face < 0 && reaches(facet, face, polytope) && !facetOf(mesh.polytope(across), facet.crack);
   });
 }
 
@@ -51,15 +46,12 @@ std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
 void SmoothedStress::topologyChanged(const Assembly& assembly) {
   const std::size_t parts = assembly.mesh().parts().size();
   const std::vector<std::pair<int, int>> joined = joinedParts(assembly.mesh());
-  start_.assign(parts + 1, 0);
-  for (const auto& [p, q] : joined) ++start_[p + 1], ++start_[q + 1];
-  std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  neighbour_.resize(start_.back());
-  std::vector<int> end(start_.begin(), start_.end() - 1);
-  for (const auto& [p, q] : joined) {
-    neighbour_[end[p]++] = q;
-    neighbour_[end[q]++] = p;
-  }
+  neighbours_.sort(static_cast<int>(parts), [&](const auto& add) {
+    for (const auto& [p, q] : joined) {
+      add(p, q);
+      add(q, p);
+    }
+  });
   raw_.resize(parts);
   smoothed_.resize(parts);
 }
@@ -70,9 +62,9 @@ void SmoothedStress::update(const Assembly& assembly, const std::vector<Vec3>& x
   parallelFor(parts, assembly.threads(), [&](int p) {
     double volume = assembly.volume(p);
     Mat3 sum = volume * raw_[p];
-    for (int k = start_[p]; k < start_[p + 1]; ++k) {
-      const double V = assembly.volume(neighbour_[k]);
-      sum += V * raw_[neighbour_[k]];
+    for (int neighbour : neighbours_[p]) {
+      const double V = assembly.volume(neighbour);
+      sum += V * raw_[neighbour];
       volume += V;
     }
     smoothed_[p] = sum / volume;

@@ -59,15 +59,16 @@ NodeOrder orderNodes(const TetMesh& mesh, int leaf_size) { return Bisection(mesh
 
 void orderElements(TetMesh* mesh) {
   const std::vector<int> rank = orderNodes(*mesh, static_cast<int>(mesh->nodes.size())).rank;
-  std::vector<std::pair<int, int>> order;  // the lowest rank of each element's nodes
+  std::vector<std::pair<int, int>> by_rank;  // the lowest rank of an element's nodes, and the element
   for (std::size_t e = 0; e < mesh->elements.size(); ++e) {
     const auto& nodes = mesh->elements[e];
-    order.emplace_back(std::min({rank[nodes[0]], rank[nodes[1]], rank[nodes[2]], rank[nodes[3]]}), static_cast<int>(e));
+    by_rank.emplace_back(std::min({rank[nodes[0]], rank[nodes[1]], rank[nodes[2]], rank[nodes[3]]}),
+                         static_cast<int>(e));
   }
-  std::sort(order.begin(), order.end());
+  std::sort(by_rank.begin(), by_rank.end());
   std::vector<std::array<int, 4>> sorted;
-  sorted.reserve(order.size());
-  for (const auto& [lowest, e] : order) sorted.push_back(mesh->elements[e]);
+  sorted.reserve(by_rank.size());
+  for (const auto& [lowest, e] : by_rank) sorted.push_back(mesh->elements[e]);
   mesh->elements = std::move(sorted);
 }
 

@@ -24,21 +24,15 @@ std::pair<int, Face> faceOf(const std::array<int, 4>& nodes, int element, int lo
   std::array<int, 3> n;
   for (int i = 0; i < 3; ++i) n[i] = nodes[FACE_NODES[local][i]];
   bool even = true;
-  const auto order = [&](int i, int j) {
+  const auto swapUnlessAscending = [&](int i, int j) {
     if (n[i] < n[j]) return;
     std::swap(n[i], n[j]);
     even = !even;
   };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
+  swapUnlessAscending(0, 1);
+  swapUnlessAscending(1, 2);
+  swapUnlessAscending(0, 1);
   return {n[0], Face{n[1], n[2], element, local, even}};
-}
-
-/// Where the items of each bucket start when they are laid out one bucket after another, from the buckets' counts.
-void countsToStarts(std::vector<int>& counts) {
-  int next = 0;
-  for (int& count : counts) next += std::exchange(count, next);
 }
 
 [[noreturn]] void failAtFace(int lowest, const Face* first, const Face* last, const std::string& what) {
@@ -49,8 +43,9 @@ void countsToStarts(std::vector<int>& counts) {
                       (last - 1)->element);
 }
 
-/// Makes neighbours of the elements at every face in [first, last), which have their lowest node in common.
-void joinFaces(int lowest, Face* first, Face* last, std::vector<std::array<int, 4>>& neighbours) {
+/// Makes neighbours of the elements at every one of these faces, which have their lowest node in common.
+void joinFaces(int lowest, Span<Face> faces, std::vector<std::array<int, 4>>& neighbours) {
+  Face *first = faces.begin(), *const last = faces.end();
   std::sort(first, last, [](const Face& a, const Face& b) {
     return std::tie(a.middle, a.highest, a.element) < std::tie(b.middle, b.highest, b.element);
   });
@@ -71,23 +66,17 @@ void joinFaces(int lowest, Face* first, Face* last, std::vector<std::array<int, 
 /// Sorts the faces into buckets by their lowest node, so that only few faces must be compared with each other.
 std::vector<std::array<int, 4>> findNeighbours(const TetMesh& mesh) {
   const int n_elements = static_cast<int>(mesh.elements.size());
-  std::vector<int> start(mesh.nodes.size() + 1, 0);
-  for (int e = 0; e < n_elements; ++e)
-    for (int f = 0; f < 4; ++f) ++start[faceOf(mesh.elements[e], e, f).first];
-  countsToStarts(start);
-
-  std::vector<Face> faces(4 * mesh.elements.size());
-  std::vector<int> end = start;
-  for (int e = 0; e < n_elements; ++e) {
-    for (int f = 0; f < 4; ++f) {
-      const auto [lowest, face] = faceOf(mesh.elements[e], e, f);
-      faces[end[lowest]++] = face;
-    }
-  }
+  Lists<Face> faces;
+  faces.sort(static_cast<int>(mesh.nodes.size()), [&](const auto& add) {
+    for (int e = 0; e < n_elements; ++e)
+      for (int f = 0; f < 4; ++f) {
+        const auto [lowest, face] = faceOf(mesh.elements[e], e, f);
+        add(lowest, face);
+      }
+  });
 
   std::vector<std::array<int, 4>> neighbours(mesh.elements.size(), {-1, -1, -1, -1});
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-    joinFaces(static_cast<int>(n), faces.data() + start[n], faces.data() + end[n], neighbours);
+  for (int n = 0; n < faces.count(); ++n) joinFaces(n, faces[n], neighbours);
   return neighbours;
 }
 
@@ -96,16 +85,10 @@ std::vector<std::array<int, 4>> findNeighbours(const TetMesh& mesh) {
 MeshTopology buildTopology(const TetMesh& mesh) {
   MeshTopology topology;
   topology.neighbours = findNeighbours(mesh);
-
-  topology.star_start.assign(mesh.nodes.size() + 1, 0);
-  for (const auto& element : mesh.elements)
-    for (int n : element) ++topology.star_start[n];
-  countsToStarts(topology.star_start);
-
-  topology.star.resize(4 * mesh.elements.size());
-  std::vector<int> end = topology.star_start;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for (int n : mesh.elements[e]) topology.star[end[n]++] = static_cast<int>(e);
+  topology.star.sort(static_cast<int>(mesh.nodes.size()), [&](const auto& add) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+      for (int n : mesh.elements[e]) add(n, static_cast<int>(e));
+  });
   return topology;
 }
 

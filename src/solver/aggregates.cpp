@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "incision/base/disjoint_sets.h"
 
 namespace incision {
 namespace {
@@ -13,24 +14,6 @@ constexpr int MIN_SIZE = 4;
 /// Up to this many nodes leaves have their least size.
 constexpr double SMALL_BODY = 4000;
 constexpr double LEAST_LEAF = 64;
-
-class UnionFind {
- public:
-  explicit UnionFind(int n) : link_(n) { std::iota(link_.begin(), link_.end(), 0); }
-  int root(int i) {
-    while (link_[i] != i) i = link_[i] = link_[link_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    if (link_[a] == link_[b]) return;
-    a = root(a);
-    b = root(b);
-    link_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> link_;
-};
 
 /// Where the ranges of rows begin that share a leaf, those of more than two leaves' worth of copies halved.
 std::vector<int> leafStarts(const CutMesh& mesh, const NodeOrder& order, const BlockPattern& pattern) {
@@ -46,15 +29,13 @@ std::vector<int> leafStarts(const CutMesh& mesh, const NodeOrder& order, const B
 }
 
 /// Joins groups below MIN_SIZE to one that a block connects them to.
-void mergeSmall(const BlockPattern& pattern, UnionFind* groups) {
-  std::vector<int> size(pattern.rows(), 0);
-  for (int row = 0; row < pattern.rows(); ++row) ++size[groups->root(row)];
+void mergeSmall(const BlockPattern& pattern, DisjointSets* groups) {
+  std::vector<int> size(pattern.rows(), 0);  // of the group that has the row for its lowest
+  for (int row = 0; row < pattern.rows(); ++row) ++size[groups->lowest(row)];
   for (int row = 0; row < pattern.rows(); ++row)
-    for (int k = pattern.row_start[row]; k < pattern.row_start[row + 1] && size[groups->root(row)] < MIN_SIZE; ++k) {
-      const int a = groups->root(row), b = groups->root(pattern.column[k]);
-      if (a == b) continue;
-      groups->join(a, b);
-      size[groups->root(a)] = size[a] + size[b];
+    for (int k = pattern.row_start[row]; k < pattern.row_start[row + 1] && size[groups->lowest(row)] < MIN_SIZE; ++k) {
+      const int a = groups->lowest(row), b = groups->lowest(pattern.column[k]);
+      if (groups->join(a, b)) size[std::min(a, b)] = size[a] + size[b];
     }
 }
 
@@ -62,22 +43,18 @@ void mergeSmall(const BlockPattern& pattern, UnionFind* groups) {
 
 int leafSize(int nodes) { return static_cast<int>(LEAST_LEAF * std::cbrt(std::max(1.0, nodes / SMALL_BODY))); }
 
-std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held) {
-  // A counting sort by rank.
-  std::vector<int> end(order.rank.size() + 1, 0);
-  const auto rank = [&](int c) { return order.rank[mesh.copyNode(c)]; };
-  for (int c = 0; c < mesh.numCopies(); ++c)
-    if (!held[c]) ++end[rank(c) + 1];
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<int> copies(end.back());
-  for (int c = 0; c < mesh.numCopies(); ++c)
-    if (!held[c]) copies[end[rank(c)]++] = c;
-  return copies;
+std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& left_out) {
+  Lists<int> by_rank;
+  by_rank.sort(static_cast<int>(order.rank.size()), [&](const auto& add) {
+    for (int c = 0; c < mesh.numCopies(); ++c)
+      if (!left_out[c]) add(order.rank[mesh.copyNode(c)], c);
+  });
+  return by_rank.values();
 }
 
 Aggregates aggregate(const CutMesh& mesh, const NodeOrder& order, const BlockPattern& pattern) {
   const int rows = pattern.rows();
-  UnionFind groups(rows);
+  DisjointSets groups(rows);
   const std::vector<int> starts = leafStarts(mesh, order, pattern);
   for (std::size_t s = 0; s + 1 < starts.size(); ++s)
     for (int row = starts[s]; row < starts[s + 1]; ++row)
@@ -86,22 +63,8 @@ Aggregates aggregate(const CutMesh& mesh, const NodeOrder& order, const BlockPat
   mergeSmall(pattern, &groups);
 
   Aggregates result;
-  std::vector<int> number(rows, -1);
-  result.of.resize(rows);
-  result.start.assign(1, 0);
-  for (int row = 0; row < rows; ++row) {
-    int& n = number[groups.root(row)];
-    if (n < 0) {
-      n = result.count();
-      result.start.push_back(0);
-    }
-    result.of[row] = n;
-    ++result.start[n + 1];
-  }
-  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
-  result.rows.resize(rows);
-  std::vector<int> end(result.start.begin(), result.start.end() - 1);
-  for (int row = 0; row < rows; ++row) result.rows[end[result.of[row]]++] = row;
+  const int count = groups.enumerate(&result.of);
+  result.rows = sortedByList(result.of, count);
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "incision/base/parallel.h"
 
@@ -36,33 +35,32 @@ void CoarseSpace::topologyChanged(const BlockPattern& pattern, const Aggregates&
 
 /// Blocks where the pattern has one between two aggregates, and the extra ones.
 void CoarseSpace::findBlocks() {
-  block_start_.assign(1, 0);
-  column_.clear();
+  columns_.clear();
   auto extra = extra_.begin();
   std::vector<int> seen(aggregates_->count(), -1);
   for (int I = 0; I < aggregates_->count(); ++I) {
-    for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
-      const int i = aggregates_->rows[n];
+    for (int i : aggregates_->rows[I])
       for (int k = pattern_->row_start[i]; k < pattern_->row_start[i + 1]; ++k) {
         const int J = aggregates_->of[pattern_->column[k]];
         if (J > I || seen[J] == I) continue;
         seen[J] = I;
-        column_.push_back(J);
+        columns_.append(J);
       }
-    }
-    for (; extra != extra_.end() && extra->first == I; ++extra) column_.push_back(extra->second);
-    std::sort(column_.begin() + block_start_.back(), column_.end());
-    block_start_.push_back(static_cast<int>(column_.size()));
+    for (; extra != extra_.end() && extra->first == I; ++extra) columns_.append(extra->second);
+    std::sort(columns_.unfinished().begin(), columns_.unfinished().end());
+    columns_.finish();
   }
-  coarse_blocks_.resize(column_.size());
+  coarse_blocks_.resize(columns_.values().size());
 }
 
 /// Lists the entries of the lower triangle by columns: for each column block J the row blocks I ≥ J that hold it.
 void CoarseSpace::findUnknowns() {
   const int count = aggregates_->count();
-  std::vector<std::vector<std::pair<int, int>>> in_column(count);
-  for (int I = 0; I < count; ++I)
-    for (int k = block_start_[I]; k < block_start_[I + 1]; ++k) in_column[column_[k]].emplace_back(I, k);
+  Lists<std::pair<int, int>> in_column;  // row and number of each column's blocks
+  in_column.sort(count, [&](const auto& add) {
+    for (int I = 0; I < count; ++I)
+      for (int k = columns_.start(I); k < columns_.start(I + 1); ++k) add(columns_.values()[k], std::pair(I, k));
+  });
   LowerTriangle lower;
   lower.column_start.push_back(0);
   source_.clear();
@@ -107,29 +105,27 @@ void CoarseSpace::couplingsChanged(const CoupledRows& couplings, int threads) {
 }
 
 void CoarseSpace::placeModes(int a, const std::vector<Vec3>& x) {
-  const auto begin = aggregates_->rows.begin() + aggregates_->start[a];
-  const auto end = aggregates_->rows.begin() + aggregates_->start[a + 1];
+  const Span<const int> rows = aggregates_->rows[a];
   const auto position = [&](int row) -> const Vec3& { return x[pattern_->copies[row]]; };
   Vec3 centre = Vec3::Zero();
-  for (auto i = begin; i != end; ++i) centre += position(*i) / static_cast<double>(end - begin);
+  for (int i : rows) centre += position(i) / static_cast<double>(rows.size());
   double radius = 0;
-  for (auto i = begin; i != end; ++i) radius = std::max(radius, (position(*i) - centre).norm());
-  for (auto i = begin; i != end; ++i) {
-    const Vec3 arm = radius > 0 ? Vec3((position(*i) - centre) / radius) : Vec3::Zero();
-    arm_[*i].head<3>() = arm_[*i].w() * arm.cast<float>();
+  for (int i : rows) radius = std::max(radius, (position(i) - centre).norm());
+  for (int i : rows) {
+    const Vec3 arm = radius > 0 ? Vec3((position(i) - centre) / radius) : Vec3::Zero();
+    arm_[i].head<3>() = arm_[i].w() * arm.cast<float>();
   }
 }
 
 int CoarseSpace::blockAt(int I, int J) const {
-  const auto begin = column_.begin() + block_start_[I], end = column_.begin() + block_start_[I + 1];
-  return static_cast<int>(std::lower_bound(begin, end, J) - column_.begin());
+  const Span<const int> columns = columns_[I];
+  return columns_.start(I) + static_cast<int>(std::lower_bound(columns.begin(), columns.end(), J) - columns.begin());
 }
 
 /// Coarse blocks (I, J) = Σ_{i ∈ I, j ∈ J} Q_iᵀ A_ij Q_j of one row of aggregates.
 void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
-  for (int c = block_start_[I]; c < block_start_[I + 1]; ++c) coarse_blocks_[c].setZero();
-  for (int n = aggregates_->start[I]; n < aggregates_->start[I + 1]; ++n) {
-    const int i = aggregates_->rows[n];
+  for (int c = columns_.start(I); c < columns_.start(I + 1); ++c) coarse_blocks_[c].setZero();
+  for (int i : aggregates_->rows[I]) {
     // Columns of one aggregate mostly follow each other: A_ij Q_j is summed over such a run first.
     for (int k = pattern_->row_start[i]; k < pattern_->row_start[i + 1];) {
       const int J = aggregates_->of[pattern_->column[k]];
@@ -155,61 +151,55 @@ void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
 
 void CoarseSpace::findEnds(const CoupledRows& couplings) {
   ends_.clear();
-  end_start_.assign(1, 0);
-  held_start_.assign(aggregates_->count() + 1, 0);
   for (int c = 0; c < couplings.count(); ++c) {
-    for (int k = couplings.start(c); k < couplings.start(c + 1); ++k) {
-      const auto& [row, g] = couplings.ends()[k];
+    for (const auto& [row, g] : couplings.ends()[c]) {
       const int a = aggregates_->of[row];
-      const auto begin = ends_.begin() + end_start_.back();
-      auto end = std::find_if(begin, ends_.end(), [&](const CoarseEnd& e) { return e.aggregate == a; });
-      if (end == ends_.end()) {
-        end = ends_.insert(end, {a, c, 0, Vec3::Zero()});
-        ++held_start_[a + 1];
-      }
-      end->a += g * arm_[row].w();
-      end->b += g * arm_[row].head<3>().cast<double>();
+      Span<CoarseEnd> ends = ends_.unfinished();
+      int at = 0;
+      while (at < ends.size() && ends[at].aggregate != a) ++at;
+      if (at == ends.size()) ends_.append({a, c, 0, Vec3::Zero()});
+      CoarseEnd& end = ends_.unfinished()[at];
+      end.a += g * arm_[row].w();
+      end.b += g * arm_[row].head<3>().cast<double>();
     }
-    end_start_.push_back(static_cast<int>(ends_.size()));
+    ends_.finish();
   }
-  std::partial_sum(held_start_.begin(), held_start_.end(), held_start_.begin());
-  held_.resize(ends_.size());
-  std::vector<int> next(held_start_.begin(), held_start_.end() - 1);
-  for (std::size_t e = 0; e < ends_.size(); ++e) held_[next[ends_[e].aggregate]++] = static_cast<int>(e);
+  ends_within_.sort(aggregates_->count(), [&](const auto& add) {
+    for (std::size_t e = 0; e < ends_.values().size(); ++e) add(ends_.values()[e].aggregate, static_cast<int>(e));
+  });
 }
 
 /// Makes room for the blocks that couplings need beside the pattern's. They stay, as contacts come and go: each new one
 /// costs an analysis.
 void CoarseSpace::findPairs() {
   const std::size_t known = extra_.size();
-  for (std::size_t c = 0; c + 1 < end_start_.size(); ++c)
-    for (int e = end_start_[c]; e < end_start_[c + 1]; ++e)
-      for (int f = end_start_[c]; f < end_start_[c + 1]; ++f) {
-        const int I = ends_[e].aggregate, J = ends_[f].aggregate;
-        if (J < I && !std::binary_search(column_.begin() + block_start_[I], column_.begin() + block_start_[I + 1], J))
-          extra_.emplace_back(I, J);
+  for (int c = 0; c < ends_.count(); ++c)
+    for (const CoarseEnd& end : ends_[c])
+      for (const CoarseEnd& other : ends_[c]) {
+        const int I = end.aggregate, J = other.aggregate;
+        if (J < I && !std::binary_search(columns_[I].begin(), columns_[I].end(), J)) extra_.emplace_back(I, J);
       }
   if (extra_.size() == known) return;
   std::sort(extra_.begin(), extra_.end());
   extra_.erase(std::unique(extra_.begin(), extra_.end()), extra_.end());
-  const std::vector<int> start = block_start_, column = column_;
+  const Lists<int> columns = columns_;
   const std::vector<CoarseBlock> blocks = coarse_blocks_;
   findBlocks();
   for (CoarseBlock& block : coarse_blocks_) block.setZero();
   for (int I = 0; I < aggregates_->count(); ++I)
-    for (int k = start[I]; k < start[I + 1]; ++k) coarse_blocks_[blockAt(I, column[k])] = blocks[k];
+    for (int k = columns.start(I); k < columns.start(I + 1); ++k)
+      coarse_blocks_[blockAt(I, columns.values()[k])] = blocks[k];
   findUnknowns();
 }
 
-/// Adds H_Iᵀ K H_J for every coupling that holds aggregate I, H = [a 1 | −[b]×] being what it sees of the modes.
+/// Adds H_Iᵀ K H_J for every coupling that acts on aggregate I, H = [a 1 | −[b]×] being what it sees of the modes.
 void CoarseSpace::addCouplings(int I, const CoupledRows& couplings) {
-  for (int h = held_start_[I]; h < held_start_[I + 1]; ++h) {
-    const CoarseEnd& end = ends_[held_[h]];
+  for (int e : ends_within_[I]) {
+    const CoarseEnd& end = ends_.values()[e];
     const int c = end.coupling;
     const Mat3 K = couplings.stiffness(c).topRows<3>().cast<double>();
     const Mat3 shift = end.a * K, turn = crossMatrix(end.b) * K;
-    for (int e = end_start_[c]; e < end_start_[c + 1]; ++e) {
-      const CoarseEnd& other = ends_[e];
+    for (const CoarseEnd& other : ends_[c]) {
       if (other.aggregate > I) continue;
       const Mat3 arms = crossMatrix(other.b);
       CoarseBlock& block = coarse_blocks_[blockAt(I, other.aggregate)];
@@ -238,8 +228,7 @@ bool CoarseSpace::factorise(double regularisation) {
 
 void CoarseSpace::restrictAggregate(int aggregate, const std::vector<Vec4f>& r) {
   Vec4f force = Vec4f::Zero(), moment = Vec4f::Zero();
-  for (int n = aggregates_->start[aggregate]; n < aggregates_->start[aggregate + 1]; ++n) {
-    const int i = aggregates_->rows[n];
+  for (int i : aggregates_->rows[aggregate]) {
     force += arm_[i].w() * r[i];
     moment += cross(arm_[i], r[i]);
   }

@@ -31,7 +31,7 @@ void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& c
   std::vector<int> free_copies;
   std::vector<double> scale;
   for (int c = 0; c < assembly.mesh().numCopies(); ++c) {
-    if (change.held[c]) continue;
+    if (change.left_out[c]) continue;
     free_copies.push_back(c);
     scale.push_back(1 / std::sqrt(diagonalOf(assembly, factors, c)));
   }

@@ -47,7 +47,7 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   if (!assembly_) order_ = orderNodes(mesh.mesh(), leafSize(static_cast<int>(mesh.mesh().nodes.size())));
   assembly_ = &assembly;
   factors_ = factors;
-  editPattern(assembly, orderCopies(mesh, order_, change.held), change.touched, &pattern_);
+  editPattern(assembly, orderCopies(mesh, order_, change.left_out), change.touched, &pattern_);
   aggregates_ = aggregate(mesh, order_, pattern_);
   const int rows = pattern_.rows();
   scale_.resize(rows);
@@ -61,7 +61,7 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   products_.resize(aggregates_.count());
   group_of_.clear();
   for (int a = 0; a < aggregates_.count(); ++a)
-    group_of_.push_back(change.group[pattern_.copies[aggregates_.rows[aggregates_.start[a]]]]);
+    group_of_.push_back(change.group[pattern_.copies[aggregates_.rows[a][0]]]);
   groups_ = change.group.empty() ? 0 : 1 + *std::max_element(change.group.begin(), change.group.end());
   if (rows > 0) coarse_.topologyChanged(pattern_, aggregates_, scale_);
 }
@@ -149,7 +149,7 @@ void IterativeSolver::guess(const Basis& basis) {
   const int threads = assembly_->threads();
   const std::array<std::vector<Vec4f>*, BASIS_SIZE> A_basis = {&z_, &p_, &Ap_};  // not in use yet
   const auto forEachRow = [&](int a, const auto& f) {
-    for (int n = aggregates_.start[a]; n < aggregates_.start[a + 1]; ++n) f(aggregates_.rows[n]);
+    for (int row : aggregates_.rows[a]) f(row);
   };
   for (int j = 0; j < BASIS_SIZE; ++j) {
     double largest = 0;
@@ -237,8 +237,7 @@ double IterativeSolver::update(double step) {
   const float alpha = static_cast<float>(step);
   return std::sqrt(parallelSum(aggregates_.count(), assembly_->threads(), &terms_, [&](int a) {
     double sum = 0;
-    for (int n = aggregates_.start[a]; n < aggregates_.start[a + 1]; ++n) {
-      const int i = aggregates_.rows[n];
+    for (int i : aggregates_.rows[a]) {
       y_[i] += alpha * p_[i];
       r_[i] -= alpha * Ap_[i];
       sum += static_cast<double>(r_[i].squaredNorm());

@@ -8,7 +8,8 @@ namespace {
 /// Up to this many free copies, one aggregate, a piece is factorised: the coarse space would solve it anyway.
 constexpr int DIRECT_UP_TO = 64;
 
-/// The same for `method: auto` where the matrix never changes, so that only two triangular solves are left in a step.
+/// Up to this many free copies a piece is factorised by `method: auto` where the matrix never changes, so that only two
+/// triangular solves remain in a step.
 constexpr int DIRECT_UP_TO_UNWARPED = 1000;
 
 }  // namespace

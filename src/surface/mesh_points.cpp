@@ -15,11 +15,11 @@ int numNodes(const MeshPoint& point) {
 
 /// Where a corner lies; weights that are there by rounding only are dropped.
 MeshPoint locatePoint(const std::array<int, 4>& element, const Barycentric& b) {
-  std::array<int, 4> order = {0, 1, 2, 3};
-  std::sort(order.begin(), order.end(), [&](int I, int J) { return element[I] < element[J]; });
+  std::array<int, 4> by_node = {0, 1, 2, 3};
+  std::sort(by_node.begin(), by_node.end(), [&](int I, int J) { return element[I] < element[J]; });
   MeshPoint point{NO_NODES, Barycentric::Zero()};
   int n = 0;
-  for (int I : order) {
+  for (int I : by_node) {
     if (b[I] < SAME_POINT) continue;
     point.nodes[n] = element[I];
     point.weights[n++] = b[I];
@@ -28,7 +28,7 @@ MeshPoint locatePoint(const std::array<int, 4>& element, const Barycentric& b) {
   return point;
 }
 
-/// Its weights, with a place for each of the carrier's nodes.
+/// The weights of a point, with a place for each of the carrier's nodes.
 Barycentric weightsOn(const std::array<int, 4>& carrier, const MeshPoint& point) {
   Barycentric b = Barycentric::Zero();
   for (int i = 0, k = 0; i < 4 && k < 4 && point.nodes[k] >= 0; ++i)
@@ -69,14 +69,14 @@ std::vector<MeshPoints::Corner> MeshPoints::locate(const CutMesh& mesh, const Ex
 }
 
 void MeshPoints::number(const std::vector<Corner>& corners) {
-  std::vector<int> order(corners.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int i, int j) {
+  std::vector<int> by_carrier(corners.size());
+  std::iota(by_carrier.begin(), by_carrier.end(), 0);
+  std::sort(by_carrier.begin(), by_carrier.end(), [&](int i, int j) {
     const Corner &a = corners[i], &b = corners[j];
     return std::tie(a.point.nodes, a.part, a.index) < std::tie(b.point.nodes, b.part, b.index);
   });
   const Corner* previous = nullptr;
-  for (int i : order) {
+  for (int i : by_carrier) {
     const Corner& corner = corners[i];
     if (!previous || !corner.sharesCarrier(*previous)) carriers_.push_back({corner.point.nodes, count(), count()});
     previous = &corner;

@@ -29,8 +29,8 @@ class BestTriangulation {
       for (int i = 0, j = span; j < n_; ++i, ++j) {
         best_[at(i, j)] = -1;
         for (int k = i + 1; k < j; ++k) {
-          const double own = quality(loop[corners[i]], loop[corners[k]], loop[corners[j]]);
-          const double worst = std::min({best_[at(i, k)], best_[at(k, j)], own});
+          const double between = quality(loop[corners[i]], loop[corners[k]], loop[corners[j]]);
+          const double worst = std::min({best_[at(i, k)], best_[at(k, j)], between});
           if (worst <= best_[at(i, j)]) continue;
           best_[at(i, j)] = worst;
           apex_[at(i, j)] = k;
@@ -67,8 +67,8 @@ int bestHalving(const std::vector<Vec3>& loop, const std::vector<int>& corners) 
   std::size_t best = 0;
   double most = -1;
   for (std::size_t i = 0; i + half < n; ++i) {
-    const Vec3 side = swept[i + half] - swept[i] + corner(i + half).cross(corner(i));
-    const double smaller = std::min(side.dot(whole), (whole - side).dot(whole));
+    const Vec3 cut_off = swept[i + half] - swept[i] + corner(i + half).cross(corner(i));
+    const double smaller = std::min(cut_off.dot(whole), (whole - cut_off).dot(whole));
     if (smaller <= most) continue;
     most = smaller;
     best = i;
@@ -83,11 +83,11 @@ void triangulate(const std::vector<Vec3>& loop, const std::vector<int>& corners,
     return;
   }
   const int i = bestHalving(loop, corners), j = i + n / 2;
-  std::vector<int> side(corners.begin() + i, corners.begin() + j + 1);
-  triangulate(loop, side, triangles);
-  side.assign(corners.begin() + j, corners.end());
-  side.insert(side.end(), corners.begin(), corners.begin() + i + 1);
-  triangulate(loop, side, triangles);
+  std::vector<int> half(corners.begin() + i, corners.begin() + j + 1);
+  triangulate(loop, half, triangles);
+  half.assign(corners.begin() + j, corners.end());
+  half.insert(half.end(), corners.begin(), corners.begin() + i + 1);
+  triangulate(loop, half, triangles);
 }
 
 }  // namespace

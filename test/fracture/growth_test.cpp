@@ -149,6 +149,62 @@ TEST(CrackGrowth, WhatTheMeshRefusesIsNotTriedAgain) {
       EXPECT_EQ(std::count(grown[0].parts.begin(), grown[0].parts.end(), part), 0) << advance.crack;
 }
 
+TEST(CrackGrowth, OneThatRecallsAMemoryGoesOnAsTheOneThatHadIt) {
+  StretchedBar bar(1.3 * STRETCH);
+  FractureSettings settings = strength(STRENGTH);
+  settings.crack_speed = 50;  // so that when a crack reached an element counts
+  CrackGrowth growth(settings);
+  growth.topologyChanged(bar.step.assembly(), {});
+  for (int k = 0; k < 30; ++k) {
+    bar.fracture(&growth);
+    if (k % 3 > 0) growth.stepTaken();  // otherwise some parts wait
+    const CrackGrowth::Memory memory = growth.memory();
+    CrackGrowth other(settings);
+    other.recall(memory);
+    other.topologyChanged(bar.step.assembly(), {});
+    bar.time += bar.time_step;
+    const std::vector<CrackAdvance> first = bar.advances(&growth), second = bar.advances(&other);
+    ASSERT_EQ(first.size(), second.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      EXPECT_EQ(first[i].crack, second[i].crack);
+      EXPECT_EQ(first[i].parts, second[i].parts);
+      EXPECT_EQ(first[i].reached, second[i].reached);
+      EXPECT_EQ(first[i].fresh, second[i].fresh);
+    }
+    if (!first.empty()) growth.refused(bar.time, first[0]);
+  }
+}
+
+TEST(CrackGrowth, AMemoryThatIsKeptDoesNotChange) {
+  StretchedBar bar(1.3 * STRETCH);
+  CrackGrowth growth(strength(STRENGTH));
+  growth.topologyChanged(bar.step.assembly(), {});
+  bar.fracture(&growth);
+  const CrackGrowth::Memory memory = growth.memory();
+  const auto phi = memory.cracks.at(0).phi;
+  growth.stepTaken();
+  bar.fracture(&growth);
+  EXPECT_GT(growth.memory().cracks.at(0).phi.size(), phi.size());
+  EXPECT_EQ(memory.cracks.at(0).phi, phi);
+}
+
+TEST(GrowingCracks, OneThatHasTakenInOthersAnswersToAllTheirNumbers) {
+  GrowingCracks cracks;
+  for (int number : {0, 1, 2, 3}) cracks.cracks[number].phi = {{10 + number, 0.5}};
+  cracks.join(1, 2, -1);
+  const GrowingCracks before = cracks;
+  cracks.join(0, 2, 1);
+  for (int number : {0, 1, 2}) {
+    EXPECT_EQ(cracks.survivorOf(number), 0);
+    EXPECT_EQ(cracks.find(number), &cracks.cracks.at(0));
+  }
+  EXPECT_EQ(cracks.at(2).phi, (std::unordered_map<int, double>{{10, 0.5}, {11, 0.5}, {12, -0.5}}));
+  EXPECT_EQ(cracks.survivorOf(3), 3);
+  EXPECT_EQ(cracks.find(4), nullptr);
+  EXPECT_EQ(before.survivorOf(2), 1);
+  EXPECT_EQ(before.at(1).phi.size(), 2u);
+}
+
 TEST(CrackGrowth, PositionsThatAreNotFiniteCrackNothing) {
   StretchedBar bar(2 * STRETCH);
   for (Vec3& x : bar.motion.x) x[1] = std::numeric_limits<double>::quiet_NaN();

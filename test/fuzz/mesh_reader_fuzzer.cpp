@@ -21,7 +21,7 @@ void requireValid(const incision::TetMesh& mesh) {
     require(incision::elementVolume(mesh, static_cast<int>(e)) > 0);
   }
   const incision::MeshTopology topology = incision::buildTopology(mesh);
-  require(topology.star.size() == 4 * mesh.elements.size());
+  require(topology.star.values().size() == 4 * mesh.elements.size());
 }
 
 }  // namespace

@@ -67,14 +67,12 @@ TEST(TetMesh, StarsHoldTheElementsOfANodeInAscendingOrder) {
   TetMesh mesh = shuffledGrid(6);
   mesh.nodes.push_back(Vec3(9, 9, 9));
   const MeshTopology topology = buildTopology(mesh);
-  ASSERT_EQ(topology.star_start.size(), mesh.nodes.size() + 1);
+  ASSERT_EQ(topology.star.count(), static_cast<int>(mesh.nodes.size()));
   for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
     std::vector<int> expected;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e)
       if (std::count(mesh.elements[e].begin(), mesh.elements[e].end(), n)) expected.push_back(static_cast<int>(e));
-    const std::vector<int> star(topology.star.begin() + topology.star_start[n],
-                                topology.star.begin() + topology.star_start[n + 1]);
-    EXPECT_EQ(star, expected);
+    EXPECT_EQ(std::vector<int>(topology.star[n].begin(), topology.star[n].end()), expected);
   }
 }
 

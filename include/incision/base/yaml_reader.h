@@ -32,7 +32,7 @@ class YamlValue {
 
   /// A scalar that reads as a number, quoted or not, since rosparam delivers `1e6` as text.
   double number(const Range& range = {}) const;
-  /// The same, or .inf.
+  /// A number in the range, or .inf.
   double numberOrInfinity(const Range& range) const;
   int integer(int min, int max) const;
   bool boolean() const;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/contact/candidate.h"
 #include "incision/contact/contact_surface.h"
 
@@ -46,20 +47,20 @@ class FragmentFinder {
                     std::vector<Pair>* pairs) const;
   bool meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample, Pair* pair) const;
   Pair placed(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair) const;
-  static Coupling heldBy(const ContactSurface& surface, const Pair& pair);
+  static Coupling between(const ContactSurface& surface, const Pair& pair);
   int twinOf(const ContactSurface& surface, const Pair& pair) const;
   Candidate candidate(const ContactSurface& surface, const Pair& pair, double share, double stiffness) const;
   Cell cellOf(const Vec3& point) const;
-  std::size_t slotOf(const Cell& cell) const;
+  int slotOf(const Cell& cell) const;
 
   double cell_ = 0, reach_ = 0, skin_ = 0;
-  std::vector<Vec3> searched_x_;      // where the vertices were at the last search
-  std::vector<Vec3> paths_;           // what each moves in a step, beside the mean [m]
-  std::vector<Vec3> areas_;           // of each triangle: its normal, twice its area long
-  std::vector<Vec3> normals_;         // of each triangle, unit or zero
-  std::vector<Vec3> sample_normals_;  // the same
-  // Samples by the slot of the grid's cell they lie in: slot_samples_[slot_start_[s]] …
-  std::vector<int> slot_start_, slot_samples_;
+  std::vector<Vec3> searched_x_;          // where the vertices were at the last search
+  std::vector<Vec3> paths_;               // what each moves in a step, beside the mean [m]
+  std::vector<Vec3> areas_;               // of each triangle: its normal, twice its area long
+  std::vector<Vec3> normals_;             // of each triangle, unit or zero
+  std::vector<Vec3> sample_normals_;      // of each sample, unit or zero
+  std::size_t slots_ = 1;                 // of the grid, a power of two: a slot is for many cells
+  Lists<int> samples_in_;                 // each slot
   std::vector<std::vector<Pair>> found_;  // by chunk of triangles
   std::vector<Pair> best_;                // of each sample; triangle −1: none
 };

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "incision/base/disjoint_sets.h"
 #include "incision/cut/cut_mesh.h"
 
 namespace incision {
@@ -10,7 +12,7 @@ namespace incision {
 struct NodeComponents {
   std::vector<int> parts;       ///< ascending within each element of the star
   std::vector<int> local_node;  ///< which of its element's nodes the node is
-  std::vector<int> component;   ///< of each part, numbered from 0
+  std::vector<int> component;   ///< of each part, numbered from 0 by their first parts
   int count = 0;
 };
 
@@ -26,16 +28,14 @@ class ComponentFinder {
  private:
   template <typename Function>
   void forEachFace(int node, const Function& f) const;
-  int root(int i);
-  void join(int part, int other);
 
   const CutMesh& mesh_;
   NodeComponents found_;
-  std::vector<int> link_;   // union-find over found_.parts
+  DisjointSets sets_;       // of found_.parts, by their places there
   std::vector<int> index_;  // of each part of the mesh in found_.parts, where it is in them
   // Of faces between two elements not both of which are whole: the pairs of parts that hang together there.
   std::vector<int> face_index_;  // by 4 element + face, or −1
-  std::vector<std::vector<std::pair<int, int>>> joined_;
+  std::vector<std::vector<std::pair<int, int>>> pairs_;
 };
 
 }  // namespace incision

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "incision/cut/cut_mesh.h"
+#include "incision/cut/point.h"
 
 namespace incision {
-
-/// A point of an element at rest [m].
-Vec3 atRest(const CutMesh& mesh, int element, const Barycentric& point);
-
-/// A point of a part while the copies stand at `x` [m].
-Vec3 at(const Part& part, const Barycentric& point, const std::vector<Vec3>& x);
 
 /// Where a crack has split a part: the flat polygon between what became of it.
 struct Section {
@@ -36,14 +31,14 @@ Vec3 vectorAreaOf(std::size_t count, const Corner& corner) {
   return area;
 }
 
-/// Of a facet, outwards, with its corners mapped to points by `place`.
+/// Vector area of a facet, outwards, with its corners mapped to points by `place`.
 template <typename Place>
 Vec3 vectorArea(const Polytope& polytope, const Facet& facet, const Place& place) {
   return vectorAreaOf(facet.corners.size(),
                       [&](std::size_t i) -> Vec3 { return place(polytope.corners[facet.corners[i]]); });
 }
 
-/// Of a polygon, likewise.
+/// Vector area of a polygon, by the sense in which its corners run, with these mapped to points by `place`.
 template <typename Place>
 Vec3 vectorArea(const std::vector<Barycentric>& polygon, const Place& place) {
   return vectorAreaOf(polygon.size(), [&](std::size_t i) -> Vec3 { return place(polygon[i]); });

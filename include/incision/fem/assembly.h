@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/cut/cut_mesh.h"
 #include "incision/fem/linear_tet.h"
 #include "incision/fem/mass.h"
@@ -44,7 +45,8 @@ class Assembly {
 
   /// Cauchy stress R_p σ R_pᵀ [Pa], with the rotation that belongs to `x`.
   Mat3 stress(int part, const std::vector<Vec3>& x) const;
-  /// The same of every part. `rotate` at the same positions then needs not find the rotations again.
+  /// Cauchy stress [Pa] of every part, with the rotations that belong to `x`. `rotate` at these positions then needs
+  /// not find the rotations again.
   void stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const;
 
   const CutMesh& mesh() const { return mesh_; }
@@ -68,9 +70,8 @@ class Assembly {
   Gradients rotatedGradients(int part) const;        ///< g_I = R_p b_I [1/m]
   double massProduct(int part, int I, int J) const;  ///< ρ ∫_p N_I N_J dX [kg]
 
-  /// The corners that use copy c: corners[corner_start[c]] … corners[corner_start[c + 1] − 1].
-  const std::vector<int>& cornerStart() const { return corner_start_; }
-  const std::vector<Corner>& corners() const { return corners_; }
+  /// The corners that use each copy, by ascending part.
+  const Lists<Corner>& corners() const { return corners_; }
 
  private:
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
@@ -94,8 +95,7 @@ class Assembly {
   std::vector<RestElement> rest_;
   std::vector<Mat3> rotations_;
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
-  std::vector<int> corner_start_;
-  std::vector<Corner> corners_;
+  Lists<Corner> corners_;
   mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_
   mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
   mutable std::vector<Mat3> part_forces_;        // on nodes 1 to 3 of each part; scratch of elasticForces

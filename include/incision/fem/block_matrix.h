@@ -34,7 +34,7 @@ class BlockAssembler {
 
   std::vector<T> gradients_;            // √(stiffness V_p μ) R_p b_I of every part, twelve each
   std::vector<T> patch_gradients_;      // √(stiffness λ V_a) s ∇θ_a of every copy of every patch, three each
-  std::vector<Vec3> volume_gradients_;  // V_a ∇θ_a of the same
+  std::vector<Vec3> volume_gradients_;  // V_a ∇θ_a of every copy of every patch
 };
 
 /// Three floats and padding, for vector registers.

@@ -22,7 +22,8 @@ struct BlockPattern {
   /// J, counted from the row's first. NO_SLOT where corner J has no row, or where that is too far to be told; without
   /// meaning where corner I has no row.
   std::vector<std::uint16_t> slots;
-  /// The same for pairs of copies of a patch, as Patches counts them.
+  /// Of each pair of copies of a patch, as Patches counts them: which block of the first one's row couples it to the
+  /// second, counted from the row's first. NO_SLOT where one of them has no row, or where that is too far to be told.
   std::vector<std::uint16_t> patch_slots;
 
   int rows() const { return static_cast<int>(copies.size()); }
@@ -47,15 +48,15 @@ inline int slotOf(const Assembly& assembly, const BlockPattern& pattern, int row
 inline int patchSlotOf(const Patches& patches, const BlockPattern& pattern, int row, int patch, int i, int j) {
   const std::uint16_t slot = pattern.patch_slots[patches.pairStart(patch) + i * patches.numCopies(patch) + j];
   if (slot != NO_SLOT) return slot;
-  const int column = pattern.row_of[patches.copies()[patches.copyStart(patch) + j]];
+  const int column = pattern.row_of[patches.copies()[patch][j]];
   return column < 0 ? -1 : pattern.slotIn(row, column);
 }
 
 /// Finds the pattern whose rows are the copies listed in `order`.
 void findPattern(const Assembly& assembly, const std::vector<int>& order, BlockPattern* pattern);
 
-/// The same where `pattern` is known from before the parts or copies round the nodes `touched` changed. Copies that had
-/// a row and keep it must stand in `order` one after the other as before.
+/// Finds the pattern whose rows are the copies listed in `order` from the one it was before the parts or copies round
+/// the nodes `touched` changed. Copies that had a row and keep it must stand in `order` one after the other as before.
 void editPattern(const Assembly& assembly, const std::vector<int>& order, const std::vector<int>& touched,
                  BlockPattern* pattern);
 

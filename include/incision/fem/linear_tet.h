@@ -41,7 +41,7 @@ inline Mat3 corotatedStress(const Mat3& RtF, const Material& material) {
   return material.lambda() * strain.trace() * Mat3::Identity() + 2 * material.mu() * strain;
 }
 
-/// The same with another dilatation θ than the element's own: σ = λ θ I + 2 μ ε.
+/// Stress [Pa] in the unrotated frame for RᵀF and a dilatation θ from elsewhere: σ = λ θ I + 2 μ ε.
 inline Mat3 corotatedStress(const Mat3& RtF, double dilatation, const Material& material) {
   return material.lambda() * dilatation * Mat3::Identity() + 2 * material.mu() * corotatedStrain(RtF);
 }

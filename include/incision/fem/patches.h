@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/cut/cut_mesh.h"
 
 namespace incision {
@@ -31,23 +32,20 @@ class Patches {
   /// Forgets what it took over.
   void reset() { patch_of_.clear(); }
 
-  int count() const { return static_cast<int>(part_start_.size()) - 1; }
+  int count() const { return parts_.count(); }
   int of(int part) const { return patch_of_[part]; }
-  /// The parts of patch a: parts()[partStart(a)] … parts()[partStart(a + 1) − 1].
-  int partStart(int patch) const { return part_start_[patch]; }
-  const std::vector<int>& parts() const { return parts_; }
-  /// The copies that they use, in the same way.
-  int copyStart(int patch) const { return copy_start_[patch]; }
-  const std::vector<int>& copies() const { return copies_; }
-  int numCopies(int patch) const { return copy_start_[patch + 1] - copy_start_[patch]; }
-  /// Which of its patch's copies corner I of parts()[n] uses.
+  /// The parts of each patch, ascending.
+  const Lists<int>& parts() const { return parts_; }
+  /// The copies that the parts of each patch use, each once.
+  const Lists<int>& copies() const { return copies_; }
+  int numCopies(int patch) const { return copies_[patch].size(); }
+  /// Which of its patch's copies corner I of a part uses, the part being number `n` of parts().values().
   int indexOf(int n, int I) const { return corner_index_[4 * n + I]; }
   /// Pairs of copies of all patches before this one; pair (i, j) of patch a is pairStart(a) + i numCopies(a) + j.
   std::size_t pairStart(int patch) const { return pair_start_[patch]; }
 
-  /// The patches that use copy c: uses()[useStart(c)] … uses()[useStart(c + 1) − 1].
-  int useStart(int copy) const { return use_start_[copy]; }
-  const std::vector<Use>& uses() const { return uses_; }
+  /// The patches that use each copy.
+  const Lists<Use>& uses() const { return uses_; }
 
   /// The nodes of all clusters that have one of the nodes `touched`.
   std::vector<int> nodesBeside(const std::vector<int>& touched) const;
@@ -59,14 +57,14 @@ class Patches {
   void listUses();
 
   const CutMesh& mesh_;
-  std::vector<int> cluster_of_;                // of each element
-  std::vector<int> element_start_, elements_;  // of each cluster
-  std::vector<int> patch_of_;                  // of each part
+  std::vector<int> cluster_of_;  // of each element
+  Lists<int> elements_;          // of each cluster
+  std::vector<int> patch_of_;    // of each part
   int patches_ = 0;
-  std::vector<int> part_start_, parts_, corner_index_, copy_start_, copies_;
+  Lists<int> parts_, copies_;  // of each patch
+  std::vector<int> corner_index_;
   std::vector<std::size_t> pair_start_;
-  std::vector<int> use_start_;
-  std::vector<Use> uses_;
+  Lists<Use> uses_;
 };
 
 }  // namespace incision

@@ -12,7 +12,8 @@ Mat3 polarRotation(const Mat3& F, const Mat3& guess);
 /// How many rotations polarRotations finds at a time.
 inline constexpr int LANES = 4;
 
-/// The same for LANES matrices side by side in vector registers; `R` holds the guesses and becomes the rotations.
+/// The rotations that polarRotation finds, of LANES matrices F side by side in vector registers; `R` comes with the
+/// guesses and becomes the rotations.
 void polarRotations(const Mat3* F, Mat3* R);
 
 }  // namespace incision

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -13,14 +12,28 @@ namespace incision {
 
 /// A crack that can grow: what it needs to go on where it ends.
 struct GrowingCrack {
-  int number = -1;                          ///< in the mesh; one of them, where several have become one
   std::unordered_map<int, double> phi;      ///< φ [m] at the copies of the parts that it splits
   std::unordered_map<int, double> reached;  ///< when it grew into the elements that it splits [s]; not those of a cut
   std::set<int> refused;                    ///< parts that it met and could not split
 };
 
-/// Growing cracks by their numbers in the mesh; those that have become one share what they are.
-using GrowingCracks = std::map<int, std::shared_ptr<GrowingCrack>>;
+/// The cracks that can grow, by their numbers in the mesh. Of two cracks that join one survives, and answers to both
+/// numbers from then on, as the mesh keeps them. A plain value: a copy shares nothing with it.
+struct GrowingCracks {
+  std::map<int, GrowingCrack> cracks;  ///< those that no other one has taken in, by their numbers
+  std::map<int, int> taken_in;  ///< by the number of each other one: the number of the crack that it now is part of
+
+  /// The number of the crack that the one with this number now is part of; its own where none has taken it in.
+  int survivorOf(int number) const;
+  /// The crack with this number in the mesh, or null where it cannot grow.
+  const GrowingCrack* find(int number) const;
+  /// The crack with this number in the mesh, which can grow.
+  const GrowingCrack& at(int number) const { return cracks.at(survivorOf(number)); }
+  GrowingCrack& at(int number) { return cracks.at(survivorOf(number)); }
+  /// Makes one crack of two that can grow; the one that `number` belongs to survives. The other's φ counts `sense`
+  /// times (±1).
+  void join(int number, int other, double sense);
+};
 
 /// A face at which a crack ends inside the material: it splits what lies behind and meets what lies ahead.
 struct Fringe {

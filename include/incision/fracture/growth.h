@@ -42,7 +42,20 @@ struct CrackResult {
 /// says how cracks are to advance, and is told what became of it.
 class CrackGrowth {
  public:
+  /// What outlasts a step. Everything else is found again from this and the mesh, by `topologyChanged`.
+  struct Memory {
+    GrowingCracks cracks;
+    int known_copies = 0;       ///< how many of the mesh's copies have φ of the cracks from their parents
+    std::set<int> barred;       ///< parts in which no crack can start
+    std::vector<char> waiting;  ///< of every node: parts that have it wait until the next step is taken
+    bool any_waiting = false;
+  };
+
   explicit CrackGrowth(const FractureSettings& settings) : settings_(settings) {}
+
+  const Memory& memory() const { return memory_; }
+  /// Takes back a memory. `topologyChanged` must follow, without touched nodes, on the mesh that belongs to it.
+  void recall(const Memory& memory) { memory_ = memory; }
 
   /// Before the first step and after every change of the mesh, of which `touched` are the nodes: parts round them wait
   /// until `stepTaken`, as their stress is not that of the new mesh.
@@ -92,7 +105,6 @@ class CrackGrowth {
   bool isBeside(const CutMesh& mesh, int part) const;
   std::vector<PieceLoad> mostLoaded(const CutMesh& mesh, const std::vector<int>& piece) const;
   bool hasGrown(const Fringe& fringe, const CutMesh& mesh) const;
-  void join(int crack, int other, double sense);
   void findTargets(const CutMesh& mesh, const std::vector<Vec3>& x, const std::vector<int>& piece);
   double arrival(const Fringe& fringe, double time, const CutMesh& mesh, const std::vector<Vec3>& x) const;
   double phiAhead(int fringe, const CutMesh& mesh, const std::vector<Vec3>& x) const;
@@ -103,17 +115,14 @@ class CrackGrowth {
   void inherit(const CutMesh& mesh);
 
   FractureSettings settings_;
-  GrowingCracks cracks_;
-  int known_copies_ = 0;  // how many of the mesh's copies have inherited
-  std::set<int> barred_;  // parts in which no crack can start
+  Memory memory_;
+  // Scratch: found again from memory and mesh.
   SmoothedStress stress_;
   std::vector<Loading> loading_;  // of every part
   std::vector<Fringe> fringes_;
   std::vector<CrackFace> faces_;  // of all cracks, where cracks fuse
   std::vector<Target> targets_;   // of every fringe, where cracks fuse
   std::vector<char> beside_;      // of every copy: used by a part at a fringe
-  std::vector<char> waiting_;     // of every node
-  bool any_waiting_ = false;
 };
 
 }  // namespace incision

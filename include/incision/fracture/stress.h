@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/fem/assembly.h"
 
 namespace incision {
@@ -21,7 +22,7 @@ class SmoothedStress {
   const std::vector<Mat3>& smoothed() const { return smoothed_; }
 
  private:
-  std::vector<int> start_, neighbour_;  // of part p: neighbour_[start_[p]] … neighbour_[start_[p + 1] − 1]
+  Lists<int> neighbours_;  // of each part
   std::vector<Mat3> raw_, smoothed_;
 };
 

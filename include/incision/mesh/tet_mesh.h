@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "incision/base/input_error.h"
+#include "incision/base/lists.h"
 #include "incision/base/vec.h"
 
 namespace incision {
@@ -25,8 +26,7 @@ inline constexpr std::array<std::array<int, 2>, 6> EDGE_NODES = {{{0, 1}, {0, 2}
 struct MeshTopology {
   /// Element across the face opposite to local node f, or −1 on the boundary.
   std::vector<std::array<int, 4>> neighbours;
-  /// Elements round node n: star[star_start[n]] … star[star_start[n + 1] − 1], ascending.
-  std::vector<int> star_start, star;
+  Lists<int> star;  ///< elements round each node, ascending
 };
 
 /// Elements that do not fit together at a face they share.

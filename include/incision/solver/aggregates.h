@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/fem/block_pattern.h"
 #include "incision/mesh/node_order.h"
 
@@ -11,16 +12,15 @@ namespace incision {
 /// coarse matrix dear, larger ones the iterations many: 64 was best at 3k nodes, 96 to 128 at 19k, 128 to 256 at 176k.
 int leafSize(int nodes);
 
-/// The rows of a system in groups that are compact and hang together: aggregate a holds rows[start[a]] …
-/// rows[start[a + 1] − 1], ascending.
+/// The rows of a system in groups that are compact and hang together.
 struct Aggregates {
-  std::vector<int> rows, start;
+  Lists<int> rows;      ///< of each aggregate, ascending
   std::vector<int> of;  ///< the aggregate of each row
-  int count() const { return static_cast<int>(start.size()) - 1; }
+  int count() const { return rows.count(); }
 };
 
-/// Those copies that are not held, by the rank of their node; copies of one node ascend.
-std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& held);
+/// Those copies that are not left out, by the rank of their node; copies of one node ascend.
+std::vector<int> orderCopies(const CutMesh& mesh, const NodeOrder& order, const std::vector<bool>& left_out);
 
 /// The leaves, split where no block connects their rows, so that no group spans two pieces. Leaves with many more
 /// copies than nodes are split further. Groups too small to carry rigid rotations join a neighbour where they have one.

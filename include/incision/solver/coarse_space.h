@@ -55,14 +55,13 @@ class CoarseSpace {
   const BlockPattern* pattern_ = nullptr;
   const Aggregates* aggregates_ = nullptr;
   std::vector<Vec4f> arm_;                  // √d (x_i − c)/ρ and √d of each row
-  std::vector<int> block_start_, column_;   // coarse blocks (I, J ≤ I) by row I, columns ascending
+  Lists<int> columns_;                      // J ≤ I of the coarse blocks (I, J) in each row I, ascending
   std::vector<std::pair<int, int>> extra_;  // those that only couplings have needed, since the topology changed
   std::vector<CoarseBlock> coarse_blocks_, uncoupled_blocks_;
-  bool coupled_ = false;         // coarse_blocks_ has couplings in it
-  std::vector<CoarseEnd> ends_;  // of coupling c: ends_[end_start_[c]] … ends_[end_start_[c + 1] − 1]
-  std::vector<int> end_start_;
-  std::vector<int> held_start_, held_;  // the ends in each aggregate
-  std::vector<int> source_;             // of each entry of the lower triangle, in coarse_blocks_
+  bool coupled_ = false;     // coarse_blocks_ has couplings in it
+  Lists<CoarseEnd> ends_;    // of each coupling
+  Lists<int> ends_within_;   // which of ends_.values() are in each aggregate
+  std::vector<int> source_;  // of each entry of the lower triangle, in coarse_blocks_
   std::vector<int> unknown_row_, unknown_column_;
   std::vector<double> unit_;  // 1/√diagonal of the coarse matrix
   std::vector<double> values_, right_, solution_;

@@ -2,13 +2,14 @@
 
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/fem/block_matrix.h"
 #include "incision/solver/coupling.h"
 
 namespace incision {
 
 /// What couplings add to the matrix of an iteration: Σ_c G_cᵀ K_c G_c, with G_c p = Σ_i g_i p_i over the rows i that a
-/// coupling holds. It is never put into the pattern, since it changes from step to step.
+/// coupling acts on. It is never put into the pattern, since it changes from step to step.
 class CoupledRows {
  public:
   /// One copy's share in a coupling.
@@ -17,18 +18,17 @@ class CoupledRows {
     float g;  ///< weight × scale of the row
   };
 
-  /// Takes over Δt² K of all couplings that hold a row of the pattern. `scale` gives s of each row.
+  /// Takes over Δt² K of all couplings that act on a row of the pattern. `scale` gives s of each row.
   void set(const std::vector<Coupling>& couplings, double time_step, const BlockPattern& pattern,
            const std::vector<double>& scale);
 
   int count() const { return static_cast<int>(stiffness_.size()); }
-  /// The ends of coupling c are ends()[start(c)] … ends()[start(c + 1) − 1].
-  int start(int c) const { return start_[c]; }
-  const std::vector<End>& ends() const { return ends_; }
+  /// The ends of each coupling.
+  const Lists<End>& ends() const { return ends_; }
   /// Δt² K_c, with a fourth row of zeros.
   const Eigen::Matrix<float, 4, 3>& stiffness(int c) const { return stiffness_[c]; }
 
-  /// The rows that couplings hold, ascending.
+  /// The rows that couplings act on, ascending.
   const std::vector<int>& rows() const { return rows_; }
   /// The block they add to the diagonal in row rows()[k].
   Mat3 diagonal(int k) const;
@@ -38,24 +38,23 @@ class CoupledRows {
   /// What the couplings add to the product in one row.
   Vec4f multiplyRow(int row) const {
     Vec4f sum = Vec4f::Zero();
-    for (int k = row_start_[row]; k < row_start_[row + 1]; ++k) sum += held_[k].g * force_[held_[k].coupling];
+    for (const Share& share : shares_[row]) sum += share.g * force_[share.coupling];
     return sum;
   }
 
  private:
   /// One coupling's share in a row.
-  struct Hold {
+  struct Share {
     int coupling;
     float g;
   };
-  void findHolds(int rows);
+  void findShares(int rows);
 
-  std::vector<End> ends_;
-  std::vector<int> start_;
+  Lists<End> ends_;
   std::vector<Eigen::Matrix<float, 4, 3>> stiffness_;
   std::vector<Vec4f> force_;
-  std::vector<int> row_start_, rows_;
-  std::vector<Hold> held_;
+  Lists<Share> shares_;  // in each row of the pattern
+  std::vector<int> rows_;
 };
 
 }  // namespace incision

@@ -20,18 +20,21 @@ struct SolveStats {
   bool converged = true;
 };
 
-/// The right-hand side less A Δv, at every copy, for a trial Δv at every copy; entries of held copies are ignored.
+/// The right-hand side less A Δv, at every copy, for a trial Δv at every copy; entries of copies that are left out are
+/// ignored.
 using Residual = std::function<void(const std::vector<Vec3>& dv, std::vector<Vec3>* r)>;
 
 /// What has changed since a solver last looked.
 struct SystemChange {
-  const std::vector<bool>& held;    ///< of each copy, whether it is held now
+  /// Of each copy, whether its Δv is no unknown of this solver: it is held, or another solver finds it.
+  const std::vector<bool>& left_out;
   const std::vector<int>& piece;    ///< of each copy
-  const std::vector<int>& group;    ///< of each copy; couplings hold pieces of one group only
+  const std::vector<int>& group;    ///< of each copy; couplings act on pieces of one group only
   const std::vector<int>& touched;  ///< nodes round which parts or copies have changed; without meaning the first time
 };
 
-/// Solves A Δv = b for the free copies; A = mass M + stiffness K and Δt² times the couplings' stiffness.
+/// Solves A Δv = b for the copies that are not left out; A = mass M + stiffness K and Δt² times the couplings'
+/// stiffness.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -45,8 +48,8 @@ class LinearSolver {
   /// After the couplings changed, those of a step of `time_step` [s]. Returns false when A is not positive definite.
   virtual bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) = 0;
 
-  /// Finds `dv`, which comes with the held copies' values. The solution is likely near a sum of multiples of the
-  /// vectors in `basis`. `rounding` bounds what rounding does to the residual at each copy.
+  /// Finds `dv`, which comes with the values of the copies that are left out. The solution is likely near a sum of
+  /// multiples of the vectors in `basis`. `rounding` bounds what rounding does to the residual at each copy.
   virtual SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                            std::vector<Vec3>* dv) = 0;
 };

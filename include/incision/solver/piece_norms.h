@@ -20,7 +20,7 @@ class PieceNorms {
 
   /// The largest ‖r‖/‖b‖ over the pieces, of the residual r by copy.
   double worstRatio(const std::vector<Vec3>& r);
-  /// The same of r scaled by 1/√diagonal and by 1/total(), by row.
+  /// The largest ‖r‖/‖b‖ over the pieces, of r scaled by 1/√diagonal and by 1/total(), by row.
   double worstRatio(const std::vector<Vec4f>& r);
 
   /// √Σ‖b‖² over the pieces.

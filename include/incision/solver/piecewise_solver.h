@@ -6,7 +6,7 @@
 namespace incision {
 
 /// Factorises some groups of pieces and iterates on the others. Groups do not touch each other's unknowns, so each
-/// solver takes the other's copies for held. Factorised are those on which an iteration does worst:
+/// solver leaves out the other's copies. Factorised are those on which an iteration does worst:
 /// - small ones: fragments much thinner than their elements are beyond float, and they cost next to nothing;
 /// - free ones so stiff that a float matrix has no digits left for their mass, which alone resists a rigid motion.
 class PiecewiseSolver : public LinearSolver {
