@@ -56,6 +56,7 @@ NodeSettings loadSettings(const ros::NodeHandle& node) {
   reportUnknown(node);
   NodeSettings settings;
   settings.scene = loadSceneParameter(node);
+  settings.tools = toolsOf(settings.scene);
   settings.descriptions.tool = toolDescription(node, settings.scene);
   settings.descriptions.obstacles = obstacleDescription(node, &settings.scene);
   loadNumber(node, "marker_rate", 0, 1000, settings.marker_rate);

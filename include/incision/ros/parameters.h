@@ -2,8 +2,9 @@
 
 #include <ros/node_handle.h>
 
-#include <string>
+#include <vector>
 
+#include "incision/ros/tool_entry.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -11,6 +12,7 @@ namespace incision {
 /// The node's private parameters.
 struct NodeSettings {
   Scene scene;                   ///< ~scene
+  std::vector<ToolEntry> tools;  ///< of the scene
   Descriptions descriptions;     ///< ~tool_description, ~obstacle_description
   double marker_rate = 15;       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
   double transform_timeout = 1;  ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
