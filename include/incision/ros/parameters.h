@@ -19,7 +19,8 @@ struct NodeSettings {
   double max_lag = 5;            ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for
 };
 
-/// Reads and checks them all. Throws InputError with parameter, value and what is allowed.
+/// Reads and checks them all. Throws InputError with parameter, value and what is allowed, and for a parameter that the
+/// node does not know.
 NodeSettings loadSettings(const ros::NodeHandle& node);
 
 }  // namespace incision
