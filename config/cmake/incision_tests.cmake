@@ -3,6 +3,7 @@
 #   "Full" and all of *_full_test.cpp. *_alloc_test.cpp replace malloc, so they are a program apart.
 # - test/body/instruction_count.py: instructions a step, where valgrind is installed.
 # - test/ros/*.test: rostest. Full are *_full.test.
+# - test/install/: a program against the installed package.
 # - the sources: what includes what, their format, catkin_lint.
 # - test/report/<section>/: the report's claims, see incision_report.
 # - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>_corpus/.
@@ -76,6 +77,11 @@ if(INCISION_ROS)
       LABELS ${label} RUN_SERIAL ON TIMEOUT 300
       ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
   endforeach()
+endif()
+
+if(INCISION_ROS AND NOT INCISION_SANITIZE)
+  add_test(NAME quick.install COMMAND "${PROJECT_SOURCE_DIR}/test/install/install_test.py" "${CMAKE_BINARY_DIR}")
+  set_tests_properties(quick.install PROPERTIES LABELS quick TIMEOUT 300)
 endif()
 
 # Instruction counts hold for the compiler and the flags they were counted with.

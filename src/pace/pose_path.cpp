@@ -64,17 +64,18 @@ std::vector<Pose> simplified(const Pose& from, const std::vector<Pose>& path, co
 
 std::vector<Pose> takeFront(double share, const Pose& from, const Edge& edge, std::vector<Pose>* way) {
   if (share >= 1) return std::exchange(*way, {});
-  double left = 0;
-  for (std::size_t i = 0; i < way->size(); ++i) left += share * travel(i == 0 ? from : (*way)[i - 1], (*way)[i], edge);
+  double to_take = 0;  // [m]
+  for (std::size_t i = 0; i < way->size(); ++i)
+    to_take += share * travel(i == 0 ? from : (*way)[i - 1], (*way)[i], edge);
   std::vector<Pose> taken;
   auto next = way->begin();
   for (Pose last = from; next != way->end(); last = *next++) {
     const double section = travel(last, *next, edge);
-    if (section > left) {
-      taken.push_back(between(last, *next, left / section));
+    if (section > to_take) {
+      taken.push_back(between(last, *next, to_take / section));
       break;
     }
-    left -= section;
+    to_take -= section;
     taken.push_back(*next);
   }
   way->erase(way->begin(), next);

@@ -14,23 +14,22 @@ ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
 
 CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, Agenda& agenda, Reporter& reporter,
                            Wakeup& wakeup)
-    : has_tool_(settings.scene.tool.has_value()),
-      use_sim_time_(ros::Time::isSimTime()),
+    : use_sim_time_(ros::Time::isSimTime()),
       body_frame_(settings.scene.body.frame),
       agenda_(agenda),
       reporter_(reporter),
       wakeup_(wakeup),
       listener_(buffer_, node),
+      frames_(buffer_, body_frame_),
       transforms_(
-          buffer_, body_frame_, settings.transform_timeout, [this](const Command& command) { release(command); },
+          frames_, settings.transform_timeout, [this](const Command& command) { release(command); },
           [this](const Command& command, const Refused& refused) { refuse(command, refused); }),
       spinner_(1, &callbacks_) {
   ros::NodeHandle commands = withQueue(node, callbacks_);
-  const auto hints = ros::TransportHints().tcpNoDelay();
-  cuts_ = commands.subscribe("cut_plane", MESSAGE_QUEUE, &CommandInput::receiveCut, this, hints);
-  if (!has_tool_ || settings.scene.tool->frame.empty())
-    poses_ = commands.subscribe("tool_pose", MESSAGE_QUEUE, &CommandInput::receivePose, this, hints);
-  active_ = commands.subscribe("tool_active", MESSAGE_QUEUE, &CommandInput::receiveActive, this, hints);
+  subscribe<CutPlane>(commands, "cut_plane", [this](const CutPlane& message) { receiveCut(message); });
+  for (std::size_t i = 0; i < settings.tools.size(); ++i)
+    subscribeToTool(commands, static_cast<int>(i), settings.tools[i]);
+  if (settings.tools.empty()) subscribeToNoTool(commands);
   poll_ = commands.createWallTimer(
       ros::WallDuration(TRANSFORM_POLL),
       [this](const ros::WallTimerEvent&) {
@@ -40,6 +39,32 @@ CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, 
       },
       false, false);
   spinner_.start();
+}
+
+template <class Message, class Receive>
+void CommandInput::subscribe(ros::NodeHandle& node, const std::string& topic, Receive receive) {
+  subscribers_.push_back(node.subscribe<Message>(
+      topic, MESSAGE_QUEUE, [receive](const boost::shared_ptr<const Message>& message) { receive(*message); },
+      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
+void CommandInput::subscribeToTool(ros::NodeHandle& node, int tool, const ToolEntry& entry) {
+  if (entry.settings.frame.empty())
+    subscribe<geometry_msgs::PoseStamped>(
+        node, entry.topic("pose"),
+        [this, tool](const geometry_msgs::PoseStamped& message) { receivePose(tool, message); });
+  subscribe<std_msgs::Bool>(node, entry.topic("active"),
+                            [this, tool](const std_msgs::Bool& message) { agenda_.activate(tool, message.data != 0); });
+}
+
+/// Whoever leads a tool that the scene lacks shall hear of it.
+void CommandInput::subscribeToNoTool(ros::NodeHandle& node) {
+  const auto refuse = [this](const std::string& topic) {
+    reporter_.refuseTool({Refusal::NO_TOOL, topic + ": the scene has no tool"});
+  };
+  const std::string pose = TOOL_TOPICS + "pose", active = TOOL_TOPICS + "active";
+  subscribe<geometry_msgs::PoseStamped>(node, pose, [=](const geometry_msgs::PoseStamped&) { refuse(pose); });
+  subscribe<std_msgs::Bool>(node, active, [=](const std_msgs::Bool&) { refuse(active); });
 }
 
 bool CommandInput::waitsFor(Nanoseconds time) const {
@@ -56,20 +81,11 @@ void CommandInput::receiveCut(const CutPlane& message) {
     accept(toCommand(message, body_frame_, std::chrono::steady_clock::now()));
 }
 
-void CommandInput::receivePose(const geometry_msgs::PoseStamped& message) {
-  if (!has_tool_)
-    reporter_.refuseTool({Refusal::NO_TOOL, "tool_pose: the scene has no tool"});
-  else if (const auto refused = whyRefused(message))
+void CommandInput::receivePose(int tool, const geometry_msgs::PoseStamped& message) {
+  if (const auto refused = whyRefused(message))
     reporter_.refuseTool(*refused);
   else
-    accept(toCommand(message, body_frame_, std::chrono::steady_clock::now()));
-}
-
-void CommandInput::receiveActive(const std_msgs::Bool& message) {
-  if (has_tool_)
-    agenda_.activate(message.data);
-  else
-    reporter_.refuseTool({Refusal::NO_TOOL, "tool_active: the scene has no tool"});
+    accept(toCommand(message, tool, body_frame_, std::chrono::steady_clock::now()));
 }
 
 void CommandInput::accept(const Command& command) {
@@ -80,12 +96,13 @@ void CommandInput::accept(const Command& command) {
 void CommandInput::release(const Command& command) {
   const Nanoseconds stamp = use_sim_time_ ? command.stamp : 0;
   if (const auto* plane = std::get_if<PlaneCut>(&command.action)) {
-    if (const auto left_out = agenda_.add(*plane, stamp))
-      reporter_.refuseCut(left_out->label, {Refusal::TOO_MANY, "too many cuts wait for their step"});
+    if (const auto put_out = agenda_.add(*plane, stamp))
+      reporter_.refuseCut(put_out->label, {Refusal::TOO_MANY, "too many cuts wait for their step"});
     wakeup_.notify();
   } else {  // waits for the next step, of which nobody needs to be told
     const auto received = std::chrono::nanoseconds(command.received.time_since_epoch()).count();
-    agenda_.add({std::get<Pose>(command.action), use_sim_time_ ? stamp : received, command.received}, stamp);
+    const auto& asked = std::get<ToolPose>(command.action);
+    agenda_.add(asked.tool, {asked.pose, use_sim_time_ ? stamp : received, command.received}, stamp);
   }
 }
 

@@ -56,22 +56,6 @@ geometry_msgs::Pose toPoseMessage(const Pose& pose) {
 
 ros::Time toRos(Nanoseconds stamp) { return ros::Time().fromNSec(static_cast<std::uint64_t>(stamp)); }
 
-Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform) {
-  return Eigen::Translation3d(toVec3(transform.translation)) * toQuaternion(transform.rotation);
-}
-
-PlaneCut transformed(const PlaneCut& plane, const Eigen::Isometry3d& to_frame) {
-  PlaneCut result = plane;
-  result.point = to_frame * plane.point;
-  result.normal = to_frame.linear() * plane.normal;
-  result.tangent = to_frame.linear() * plane.tangent;
-  return result;
-}
-
-Pose transformed(const Pose& pose, const Eigen::Isometry3d& to_frame) {
-  return {to_frame * pose.position, (Eigen::Quaterniond(to_frame.linear()) * pose.orientation).normalized()};
-}
-
 CutReport toReport(const CutResult& result) {
   CutReport report;
   report.label = result.label;

@@ -3,21 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/ros/body_tools.h"
+
 namespace incision {
 
-MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const std::string& frame, double rate,
-                                 const Obstacles& obstacles, const std::optional<Edge>& edge)
-    : frame_(frame),
+MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const Obstacles& obstacles,
+                                 const std::vector<Edge>& edges)
+    : frame_(settings.scene.body.frame),
       obstacles_(obstacles),
-      edge_(edge),
-      next_(rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
-  if (rate == 0) return;
-  period_ = std::chrono::nanoseconds(std::llround(1e9 / rate));
-  body_publisher_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1);
+      next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
+  if (settings.marker_rate == 0) return;
+  period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.marker_rate));
+  const auto advertise = [&](const std::string& topic) {
+    return node.advertise<visualization_msgs::MarkerArray>(topic, 1);
+  };
+  body_publisher_ = advertise("markers");
   const auto is_tool = [&](const Obstacle& shape) { return obstacles.isTool(shape); };
   if (!std::all_of(obstacles.shapes.begin(), obstacles.shapes.end(), is_tool))
-    obstacle_publisher_ = node.advertise<visualization_msgs::MarkerArray>("obstacles", 1);
-  if (edge) tool_publisher_ = node.advertise<visualization_msgs::MarkerArray>("tool_markers", 1);
+    obstacle_publisher_ = advertise("obstacles");
+  for (std::size_t i = 0; i < settings.tools.size(); ++i)
+    tools_.push_back({edges[i], advertise(settings.tools[i].topic("markers"))});
   thread_ = std::thread([this] { run(); });
 }
 
@@ -27,15 +32,18 @@ MarkerPublisher::~MarkerPublisher() {
   if (thread_.joinable()) thread_.join();
 }
 
-void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>& links, const Vec3& force,
+void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step,
                             SteadyTime now) {
   if (now < next_) return;
   next_ = std::max(next_ + period_, now);
   Snapshot snapshot;
   if (body_publisher_.getNumSubscribers() > 0) addSurface(body, &snapshot);
   if (obstacle_publisher_.getNumSubscribers() > 0) snapshot.links = links;
-  if (tool_publisher_.getNumSubscribers() > 0) snapshot.tool = ToolView{body.toolPose(), force};
-  if (!snapshot.surface && !snapshot.links && !snapshot.tool) return;
+  for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool)
+    if (tools_[tool].publisher.getNumSubscribers() > 0)
+      snapshot.tools.push_back(
+          {tool, ToolView{body_tools::pose(body, tool), body_tools::report(last_step, tool).force}});
+  if (snapshot.empty()) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     latest_ = std::move(snapshot);
@@ -61,7 +69,8 @@ void MarkerPublisher::publish(const Snapshot& snapshot) const {
   const ros::Time stamp = ros::Time::now();
   if (snapshot.surface) body_publisher_.publish(toMarkers(*snapshot.surface, snapshot.positions, frame_, stamp));
   if (snapshot.links) obstacle_publisher_.publish(toMarkers(obstacles_, *snapshot.links, frame_, stamp));
-  if (snapshot.tool) tool_publisher_.publish(toMarkers(obstacles_, *edge_, *snapshot.tool, frame_, stamp));
+  for (const auto& [tool, view] : snapshot.tools)
+    tools_[tool].publisher.publish(toMarkers(obstacles_, tool, tools_[tool].edge, view, frame_, stamp));
 }
 
 void MarkerPublisher::run() {

@@ -1,5 +1,6 @@
 #include "incision/ros/markers.h"
 
+#include "incision/ros/body_tools.h"
 #include "incision/ros/conversions.h"
 
 namespace incision {
@@ -88,10 +89,10 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std:
   return array;
 }
 
-visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const Edge& edge, const ToolView& tool,
+visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, int tool, const Edge& edge, const ToolView& view,
                                           const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
-  if (!tool.pose) {
+  if (!view.pose) {
     array.markers = {markerOf(Marker::CUBE, "", 0, colour(0, 0, 0), frame, stamp)};
     array.markers[0].action = Marker::DELETEALL;
     return array;
@@ -99,17 +100,17 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const Edge
   array.markers = {markerOf(Marker::LINE_LIST, "edge", 0, colour(0.10F, 0.10F, 0.12F), frame, stamp),
                    markerOf(Marker::ARROW, "force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp)};
   array.markers[0].scale.x = EDGE_WIDTH;
-  for (const Vec3& end : placed(edge, *tool.pose)) array.markers[0].points.push_back(toPoint(end));
-  const Vec3 head = tool.pose->position + FORCE_SCALE * (tool.pose->orientation * tool.force);
+  for (const Vec3& end : placed(edge, *view.pose)) array.markers[0].points.push_back(toPoint(end));
+  const Vec3 head = view.pose->position + FORCE_SCALE * (view.pose->orientation * view.force);
   array.markers[1].scale = toVector3(ARROW_SIZE);
-  array.markers[1].points = {toPoint(tool.pose->position), toPoint(head)};
-  array.markers[1].action = tool.force.isZero() ? Marker::DELETE : Marker::ADD;
+  array.markers[1].points = {toPoint(view.pose->position), toPoint(head)};
+  array.markers[1].action = view.force.isZero() ? Marker::DELETE : Marker::ADD;
   for (const Obstacle& obstacle : obstacles.shapes) {
-    if (!obstacles.isTool(obstacle)) continue;
+    if (!body_tools::has(obstacles, tool, obstacle)) continue;
     const int id = static_cast<int>(array.markers.size());
     array.markers.push_back(
         markerOf(typeOf(obstacle.shape.kind), "shape", id, colour(0.75F, 0.77F, 0.80F), frame, stamp));
-    place(obstacle.shape, composed(*tool.pose, obstacle.pose), &array.markers.back());
+    place(obstacle.shape, composed(*view.pose, obstacle.pose), &array.markers.back());
   }
   return array;
 }

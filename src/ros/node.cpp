@@ -2,9 +2,13 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "incision/ros/body_tools.h"
 #include "incision/ros/conversions.h"
+#include "incision/ros/tf_frames.h"
 
 namespace incision {
 namespace {
@@ -20,7 +24,10 @@ constexpr std::chrono::milliseconds HEARTBEAT(100);
 
 /// A step waits for commands that wait for their transform as long as it is less than this [s] behind /clock: messages
 /// with unknown frames can delay the body by no more.
-constexpr double MAX_HOLD = 0.5;
+constexpr double MAX_DELAY = 0.5;
+
+/// Least time [s] between two warnings of obstacles that jump.
+constexpr double WARNING_PERIOD = 2;
 
 std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   const double time_step = settings.scene.solver.time_step;
@@ -28,10 +35,11 @@ std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   return std::make_unique<WallPacer>(time_step);
 }
 
-std::optional<Edge> edgeOf(const NodeSettings& settings) {
-  const auto& tool = settings.scene.tool;
-  if (!tool) return std::nullopt;
-  return bladeEdge(*tool, settings.descriptions.tool, tool->description);
+std::vector<Edge> edgesOf(const DeformableBody& body, const NodeSettings& settings) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < settings.tools.size(); ++i)
+    edges.push_back(body_tools::edge(body, static_cast<int>(i), settings.descriptions));
+  return edges;
 }
 
 SteadyTime now() { return std::chrono::steady_clock::now(); }
@@ -41,19 +49,23 @@ SteadyTime now() { return std::chrono::steady_clock::now(); }
 IncisionNode::IncisionNode()
     : settings_(loadSettings(node_)),
       body_(settings_.scene, loadMesh(settings_.scene), settings_.descriptions),
-      edge_(edgeOf(settings_)),
+      edges_(edgesOf(body_, settings_)),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
+      agenda_(settings_.tools.size()),
       reporter_(node_, settings_.scene.body.frame, settings_.scene.fracture.has_value()),
-      markers_(node_, settings_.scene.body.frame, settings_.marker_rate, body_.obstacles(), edge_),
+      markers_(node_, settings_, body_.obstacles(), edges_),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, agenda_, reporter_, wakeup_),
-      tracker_(input_.transforms(), settings_.scene.body.frame, body_.obstacles(), settings_.scene.solver.time_step),
+      obstacles_(LinkLookup(input_.frames(), warnOfLinks("the obstacles")), body_.obstacles(),
+                 settings_.scene.solver.time_step),
       spinner_(1) {
-  if (edge_) tool_ = std::make_unique<ToolDriver>(node_, settings_.scene, *edge_, input_.transforms());
+  for (std::size_t i = 0; i < settings_.tools.size(); ++i)
+    tools_.emplace_back(node_, static_cast<int>(i), settings_.tools[i], edges_[i], input_.frames(),
+                        settings_.scene.solver.time_step);
   const BodyCounts counts = body_.counts();
   reporter_.setPieces(counts.pieces);
   // Also because roscpp registers the node once more at its first message: were that the one that a node of the same
@@ -78,14 +90,14 @@ void IncisionNode::run() {
     changed |= applyCuts(due);
     if (due) step();
     if (changed || due || now() >= next_heartbeat_) publishState();
-    markers_.offer(body_, tracker_.poses(), last_step_.tool.force, now());
+    markers_.offer(body_, obstacles_.poses(), last_step_, now());
     if (!due) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
 }
 
 bool IncisionNode::stepDue() {
   if (paused_ || !pacer_->due()) return false;
-  return pacer_->lag() >= MAX_HOLD || !input_.waitsFor(pacer_->nextStart());
+  return pacer_->lag() >= MAX_DELAY || !input_.waitsFor(pacer_->nextStart());
 }
 
 /// Stamped commands are taken together when their step is due, since they may arrive in another order.
@@ -111,15 +123,21 @@ StepTime IncisionNode::stepTime() const {
 }
 
 /// Before a step. Poses stamped later than its start wait.
-void IncisionNode::leadTool(const StepTime& time) {
-  if (!tool_) return;
-  const ToolInput input = agenda_.takeTool(paused_ ? pacer_->clock() : pacer_->nextStart());
-  for (const CutResult& stroke : tool_->lead(input, time, &body_)) reporter_.report(stroke);
+void IncisionNode::leadTools(const StepTime& time) {
+  const Nanoseconds start = paused_ ? pacer_->clock() : pacer_->nextStart();
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    const ToolInput input = agenda_.takeTool(static_cast<int>(i), start);
+    for (const CutResult& stroke : tools_[i].lead(input, time, &body_)) reporter_.report(stroke);
+  }
 }
 
 /// Before a step: the obstacles' links go where tf has them at its end.
 void IncisionNode::moveObstacles(const StepTime& time) {
-  for (const LinkMove& move : tracker_.follow(time.end)) {
+  for (const LinkMove& move : obstacles_.follow(time.end)) {
+    if (move.jump_speed)
+      ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "link \"" << body_.obstacles().links[move.link].name
+                                                         << "\" of the obstacles jumped, at " << *move.jump_speed
+                                                         << " m/s (followed: up to " << MAX_OBSTACLE_SPEED << " m/s)");
     if (move.at_once)
       body_.placeObstacle(move.link, move.pose);
     else
@@ -128,21 +146,33 @@ void IncisionNode::moveObstacles(const StepTime& time) {
 }
 
 void IncisionNode::step() {
+  const bool taken = tryStep();
+  if (taken) {
+    pacer_->stepTaken();
+    real_time_factor_.add(now(), body_.time());
+  }
+  reportChanges();
+}
+
+bool IncisionNode::tryStep() {
   try {
     const StepTime time = stepTime();
-    leadTool(time);
+    leadTools(time);
     moveObstacles(time);
     last_step_ = body_.step();
-    if (tool_) tool_->publishWrench(last_step_.tool);
+    for (ToolDriver& tool : tools_) tool.publishWrench(last_step_);
     error_.clear();
+    return true;
   } catch (const std::exception& error) {
     stepFailed(error.what());
-    return;
+    return false;
   }
-  pacer_->stepTaken();
-  real_time_factor_.add(now(), body_.time());
-  for (const CutResult& result : last_step_.cuts) reporter_.report(result);
-  for (const CrackResult& result : last_step_.cracks) reporter_.report(result);
+}
+
+/// Each change once, and those before a failure of the step too.
+void IncisionNode::reportChanges() {
+  for (const CutResult& result : std::exchange(last_step_.cuts, {})) reporter_.report(result);
+  for (const CrackResult& result : std::exchange(last_step_.cracks, {})) reporter_.report(result);
 }
 
 void IncisionNode::stepFailed(const std::string& why) {
@@ -161,10 +191,10 @@ void IncisionNode::reset() {
   const Refused refused{Refusal::BY_RESET, "the body was reset before this command took effect"};
   input_.clear(refused);
   for (const PlaneCut& plane : agenda_.clear()) reporter_.refuseCut(plane.label, refused);
-  if (const auto stroke = settings_.scene.tool ? body_.liftTool() : std::nullopt) reporter_.report(*stroke);
+  for (ToolDriver& tool : tools_)
+    if (const auto stroke = tool.restart(&body_)) reporter_.report(*stroke);
   body_.reset();
-  tracker_.restart();
-  if (tool_) tool_->restart();
+  obstacles_.restart();
   last_step_ = StepResult();
   error_.clear();
   reporter_.setPieces(body_.counts().pieces);
@@ -190,8 +220,8 @@ void IncisionNode::publishState() {
   reporter_.fillState(state);
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();
-  state.ignored_transforms = tracker_.ignored();
-  if (tool_) tool_->fillState(last_step_.tool, &state);
+  state.ignored_transforms = obstacles_.ignored();
+  for (const ToolDriver& tool : tools_) tool.addTo(last_step_, &state);
   state_.publish(state);
 }
 

@@ -1,7 +1,7 @@
 #include "incision/ros/private_parameters.h"
 
+#include "incision/pace/validation.h"
 #include "incision/ros/scene_parameter.h"
-#include "incision/ros/validation.h"
 
 namespace incision {
 

@@ -1,14 +1,23 @@
 #include "incision/ros/tool_driver.h"
 
 #include <geometry_msgs/WrenchStamped.h>
+#include <ros/console.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "incision/ros/body_tools.h"
 #include "incision/ros/conversions.h"
+#include "incision/ros/tf_frames.h"
 
 namespace incision {
 namespace {
 
 /// Wrenches that may wait for a slow subscriber: a controller wants the newest, a recorder all.
 constexpr std::uint32_t WRENCH_QUEUE = 100;
+
+/// Least time [s] between two warnings of jumps.
+constexpr double WARNING_PERIOD = 2;
 
 std::string wrenchFrame(const ToolSettings& tool) {
   if (!tool.frame.empty()) return tool.frame;
@@ -17,33 +26,48 @@ std::string wrenchFrame(const ToolSettings& tool) {
 
 }  // namespace
 
-ToolDriver::ToolDriver(ros::NodeHandle& node, const Scene& scene, const Edge& edge, const tf2::BufferCore& buffer)
-    : frame_(scene.tool->frame),
-      wrench_frame_(wrenchFrame(*scene.tool)),
-      lookup_(buffer, scene.body.frame, "the tool"),
-      tracker_(*scene.tool, edge, scene.solver.time_step),
-      publisher_(node.advertise<geometry_msgs::WrenchStamped>("tool_wrench", WRENCH_QUEUE)) {}
+ToolDriver::ToolDriver(ros::NodeHandle& node, int tool, const ToolEntry& entry, const Edge& edge, const Frames& frames,
+                       double time_step)
+    : tool_(tool),
+      settings_(entry.settings),
+      wrench_frame_(wrenchFrame(entry.settings)),
+      lookup_(frames, warnOfLinks("the tool")),
+      tracker_(entry.settings, edge, time_step),
+      publisher_(node.advertise<geometry_msgs::WrenchStamped>(entry.topic("wrench"), WRENCH_QUEUE)) {}
 
 std::vector<CutResult> ToolDriver::lead(ToolInput input, const StepTime& time, DeformableBody* body) {
-  if (!frame_.empty()) addFrame(time, &input);
+  if (!settings_.frame.empty()) addFrame(time, &input);
   const ToolMove move = tracker_.follow(input, time.start, time.single);
+  log(move);
   std::vector<CutResult> ended;
-  if (const auto stroke = body->activateTool(move.active)) ended.push_back(*stroke);
+  if (const auto stroke = body_tools::activate(body, tool_, move.active)) ended.push_back(*stroke);
   if (move.placed)
-    if (const auto stroke = body->placeTool(*move.placed)) ended.push_back(*stroke);
-  if (!move.path.empty()) body->guideTool(move.path);
+    if (const auto stroke = body_tools::place(body, tool_, *move.placed)) ended.push_back(*stroke);
+  if (!move.path.empty()) body_tools::guide(body, tool_, move.path);
   active_ = move.active;
   received_ = move.received;
   return ended;
 }
 
+void ToolDriver::log(const ToolMove& move) const {
+  if (move.came_again) ROS_INFO("the tool's poses come again");
+  if (move.jump)
+    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "the tool's pose jumped by " << *move.jump << " m (followed: up to "
+                                                                          << settings_.max_step
+                                                                          << " m): a new stroke begins there");
+  if (move.went_stale)
+    ROS_WARN_STREAM("no pose of the tool for more than " << settings_.timeout << " s: it holds still where it is");
+}
+
 /// A transform is received when its stamp is first seen; static ones have none, and are always new.
 void ToolDriver::addFrame(const StepTime& time, ToolInput* input) {
-  const auto found = lookup_.find(frame_, time.end);
+  const auto found = lookup_.find(settings_.frame, time.end);
   if (!found || (found->stamp != 0 && found->stamp == frame_stamp_)) return;
   frame_stamp_ = found->stamp;
   input->poses.push_back({found->pose, time.start, std::chrono::steady_clock::now(), input->active});
 }
+
+void ToolDriver::publishWrench(const StepResult& step) { publishWrench(body_tools::report(step, tool_)); }
 
 void ToolDriver::publishWrench(const ToolReport& report) {
   if (tracker_.stale()) {
@@ -67,21 +91,23 @@ void ToolDriver::publish(const ros::Time& stamp, const Vec3& force, const Vec3& 
   publisher_.publish(message);
 }
 
-void ToolDriver::restart() {
+std::optional<CutResult> ToolDriver::restart(DeformableBody* body) {
   tracker_.restart();
   frame_stamp_.reset();
   received_.reset();
   active_ = true;
   publishWrench(ToolReport());
+  return body_tools::lift(body, tool_);
 }
 
-void ToolDriver::fillState(const ToolReport& report, BodyState* state) const {
-  state->tool_active = active_;
-  state->tool_stale = tracker_.stale();
-  state->tool_depth = report.depth;
-  state->stroke_area = report.stroke_area;
-  state->tool_jumps = tracker_.jumps();
-  state->tool_latency = latency_;
+void ToolDriver::addTo(const StepResult& step, BodyState* state) const {
+  const ToolReport& report = body_tools::report(step, tool_);
+  state->tool_active |= static_cast<std::uint8_t>(active_);
+  state->tool_stale |= static_cast<std::uint8_t>(tracker_.stale());
+  state->tool_depth = std::max(state->tool_depth, report.depth);
+  state->stroke_area += report.stroke_area;
+  state->tool_jumps += tracker_.jumps();
+  state->tool_latency = std::max(state->tool_latency, latency_);
   state->ignored_transforms += lookup_.ignored();
 }
 

@@ -14,34 +14,34 @@ PlaneCut labelled(const std::string& label) {
 ReceivedPose at(double x) { return {{Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}, 1, SteadyTime()}; }
 
 TEST(Agenda, CommandsComeInTheOrderOfStampsThenOfArrival) {
-  Agenda agenda;
+  Agenda agenda(1);
   agenda.add(labelled("c"), 20);
   agenda.add(labelled("a"), 10);
   agenda.add(labelled("b"), 10);
-  std::string order;
-  for (const PlaneCut& plane : agenda.takeCuts(20)) order += plane.label;
-  EXPECT_EQ("abc", order);
+  std::string labels;
+  for (const PlaneCut& plane : agenda.takeCuts(20)) labels += plane.label;
+  EXPECT_EQ("abc", labels);
 }
 
 TEST(Agenda, WhatIsStampedLaterWaits) {
-  Agenda agenda;
+  Agenda agenda(1);
   agenda.add(labelled("later"), 30);
   EXPECT_TRUE(agenda.takeCuts(29).empty());
   EXPECT_EQ(1u, agenda.takeCuts(30).size());
 }
 
 TEST(Agenda, AStampThatIsPassedCountsAsLateAndNowDoesNot) {
-  Agenda agenda;
+  Agenda agenda(1);
   agenda.takeCuts(100);
   agenda.add(labelled("now"), 0);
   agenda.add(labelled("in time"), 101);
   EXPECT_EQ(0u, agenda.late());
-  agenda.add(at(0), 100);
+  agenda.add(0, at(0), 100);
   EXPECT_EQ(1u, agenda.late());
 }
 
 TEST(Agenda, AFullAgendaPutsOutTheLatestCut) {
-  Agenda agenda;
+  Agenda agenda(1);
   agenda.add(labelled("far future"), 1'000'000'000);
   for (std::size_t i = 1; i < MAX_WAITING_CUTS; ++i) EXPECT_FALSE(agenda.add(labelled("near"), 10));
   EXPECT_EQ("far future", agenda.add(labelled("near"), 10)->label);
@@ -49,10 +49,10 @@ TEST(Agenda, AFullAgendaPutsOutTheLatestCut) {
 }
 
 TEST(Agenda, ALongPathKeepsItsShape) {
-  Agenda agenda;
+  Agenda agenda(1);
   const int count = 3 * MAX_WAITING_POSES;
-  for (int i = 0; i < count; ++i) agenda.add(at(i), 0);
-  const std::vector<ReceivedPose> path = agenda.takeTool(0).poses;
+  for (int i = 0; i < count; ++i) agenda.add(0, at(i), 0);
+  const std::vector<ReceivedPose> path = agenda.takeTool(0, 0).poses;
   EXPECT_LE(path.size(), MAX_WAITING_POSES);
   EXPECT_EQ(count, static_cast<int>(path.size() + agenda.thinned()));
   EXPECT_EQ(0, path.front().pose.position.x());
@@ -60,30 +60,30 @@ TEST(Agenda, ALongPathKeepsItsShape) {
   for (std::size_t i = 1; i < path.size(); ++i) EXPECT_LE(path[i].pose.position.x() - path[i - 1].pose.position.x(), 8);
 }
 
-TEST(Agenda, ClearingReturnsTheCutsThatWereLeft) {
-  Agenda agenda;
-  agenda.add(labelled("left"), 50);
-  agenda.add(at(0), 50);
+TEST(Agenda, ClearingReturnsTheCutsThatWillNotBeMade) {
+  Agenda agenda(1);
+  agenda.add(labelled("not made"), 50);
+  agenda.add(0, at(0), 50);
   EXPECT_EQ(1u, agenda.clear().size());
-  EXPECT_TRUE(agenda.takeTool(50).poses.empty());
+  EXPECT_TRUE(agenda.takeTool(0, 50).poses.empty());
 }
 
 TEST(Agenda, TheBladeIsOnUntilItIsSwitchedAndAfterClearing) {
-  Agenda agenda;
-  EXPECT_TRUE(agenda.takeTool(0).active);
-  agenda.activate(false);
-  EXPECT_FALSE(agenda.takeTool(0).active);
+  Agenda agenda(1);
+  EXPECT_TRUE(agenda.takeTool(0, 0).active);
+  agenda.activate(0, false);
+  EXPECT_FALSE(agenda.takeTool(0, 0).active);
   agenda.clear();
-  EXPECT_TRUE(agenda.takeTool(0).active);
+  EXPECT_TRUE(agenda.takeTool(0, 0).active);
 }
 
 TEST(Agenda, ASwitchOfTheBladeComesBetweenThePosesBeforeAndAfterIt) {
-  Agenda agenda;
-  agenda.add(at(1), 0);
-  agenda.activate(false);
-  agenda.add(at(2), 0);
-  agenda.activate(true);
-  const ToolInput input = agenda.takeTool(0);
+  Agenda agenda(1);
+  agenda.add(0, at(1), 0);
+  agenda.activate(0, false);
+  agenda.add(0, at(2), 0);
+  agenda.activate(0, true);
+  const ToolInput input = agenda.takeTool(0, 0);
   ASSERT_EQ(2u, input.poses.size());
   EXPECT_TRUE(input.poses[0].active);
   EXPECT_FALSE(input.poses[1].active);
@@ -91,11 +91,24 @@ TEST(Agenda, ASwitchOfTheBladeComesBetweenThePosesBeforeAndAfterIt) {
 }
 
 TEST(Agenda, ASwitchOfTheBladeWaitsWithThePoseBeforeIt) {
-  Agenda agenda;
-  agenda.add(at(1), 30);
-  agenda.activate(false);
-  EXPECT_TRUE(agenda.takeTool(29).active);
-  EXPECT_FALSE(agenda.takeTool(30).active);
+  Agenda agenda(1);
+  agenda.add(0, at(1), 30);
+  agenda.activate(0, false);
+  EXPECT_TRUE(agenda.takeTool(0, 29).active);
+  EXPECT_FALSE(agenda.takeTool(0, 30).active);
+}
+
+TEST(Agenda, WhatIsAskedOfOneToolIsNotAskedOfAnother) {
+  Agenda agenda(2);
+  agenda.add(1, at(1), 0);
+  agenda.activate(0, false);
+  agenda.add(1, at(2), 0);
+  const ToolInput first = agenda.takeTool(0, 0), second = agenda.takeTool(1, 0);
+  EXPECT_TRUE(first.poses.empty());
+  EXPECT_FALSE(first.active);
+  ASSERT_EQ(2u, second.poses.size());
+  EXPECT_TRUE(second.poses[1].active);
+  EXPECT_TRUE(second.active);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """With a bad description of the obstacles the node ends at once, in order, and says why."""
 
-import subprocess
 import sys
 import unittest
 
@@ -9,8 +8,9 @@ import roslib.packages
 import rospy
 import rostest
 
+from incision_client import run_to_its_end
+
 NODE = roslib.packages.find_node('incision', 'incision_node')[0]
-TIMEOUT = 30  # [s] wall time; far above what it takes
 
 SCENE = {'body': {'grid': {'cells': [1, 1, 1]}}}
 
@@ -26,16 +26,12 @@ def described(geometry):
 
 
 class BadObstacles(unittest.TestCase):
-    def tearDown(self):
-        rospy.delete_param('/bad')
-
     def check_refused(self, said, scene=None, description=None):
-        rospy.set_param('/bad/scene', scene or SCENE)
+        parameters = {'scene': scene or SCENE}
         if description is not None:
-            rospy.set_param('/bad/obstacle_description', description)
-        run = subprocess.run([NODE, '__name:=bad'], stderr=subprocess.PIPE, timeout=TIMEOUT, check=False)
-        errors = run.stderr.decode()
-        self.assertEqual(1, run.returncode, errors)
+            parameters['obstacle_description'] = description
+        status, errors = run_to_its_end(NODE, parameters)
+        self.assertEqual(1, status, errors)
         self.assertIn(said, errors)
 
     def test_bad_shapes(self):

@@ -110,7 +110,7 @@ class Client:
 
 
 def wait_for(condition, what, timeout=TIMEOUT):
-    """The same without a client."""
+    """Waits without a client until `condition` gives something that counts as true."""
     deadline = time.monotonic() + timeout
     while not condition():
         if time.monotonic() > deadline:

@@ -23,7 +23,7 @@ Obstacles postAndTool() {
 }
 
 visualization_msgs::MarkerArray draw(const ToolView& tool) {
-  return toMarkers(postAndTool(), EDGE, tool, "body", ros::Time());
+  return toMarkers(postAndTool(), 0, EDGE, tool, "body", ros::Time());
 }
 
 TEST(ToolMarkers, TheToolIsNoneOfTheObstacles) {

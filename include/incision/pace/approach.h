@@ -16,14 +16,14 @@ class Approach {
   void aim(double period, double time_step) {
     steps_left_ = std::max(1, static_cast<int>(std::lround(std::min(period, MAX_POSE_PERIOD) / time_step)));
   }
-  /// What is still to go is gone in the next step.
-  void hurry() { steps_left_ = std::min(steps_left_, 1); }
+  /// What is still to go is gone in the next step, if anything is.
+  void arriveInOneStep() { steps_left_ = std::min(steps_left_, 1); }
   /// It stays where it is.
   void stop() { steps_left_ = 0; }
 
   int stepsLeft() const { return steps_left_; }
 
-  /// The next step's share of the way that is left; 0: there is none.
+  /// The next step's share of what is still to go; 0: there is none.
   double takeShare() { return steps_left_ > 0 ? 1.0 / steps_left_-- : 0; }
 
  private:

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "incision/cut/crack.h"
-#include "incision/tool/settings.h"
+#include "incision/rigid/pose.h"
 
 namespace incision {
 
@@ -16,8 +16,14 @@ using SteadyTime = std::chrono::steady_clock::time_point;
 /// ROS time [ns]. Plain integers, because differences of ros::Time throw where a hostile stamp makes them overflow.
 using Nanoseconds = std::int64_t;
 
+/// Where a tool's link shall go.
+struct ToolPose {
+  int tool;  ///< index of it
+  Pose pose;
+};
+
 /// What a message asks for.
-using Action = std::variant<PlaneCut, Pose>;
+using Action = std::variant<PlaneCut, ToolPose>;
 
 /// A message that passed validation.
 struct Command {
@@ -26,6 +32,9 @@ struct Command {
   Nanoseconds stamp;  ///< time of the frame; 0: now
   SteadyTime received;
 };
+
+/// The command as the body's frame sees it, in which its own frame stands at this pose.
+Command inBodyFrame(const Command& command, const Pose& frame, const std::string& body_frame);
 
 /// Why a message was refused.
 enum class Refusal { NOT_FINITE, OUT_OF_RANGE, NO_TRANSFORM, TOO_MANY, NO_TOOL, BY_BODY, BY_RESET };

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "incision/tool/settings.h"
+#include "incision/rigid/pose.h"
 
 namespace incision {
 
@@ -19,8 +19,8 @@ double travel(const Pose& from, const Pose& to, const Edge& edge);
 /// the number of poses.
 std::vector<Pose> simplified(const Pose& from, const std::vector<Pose>& path, const Edge& edge);
 
-/// Takes from the front of the way, which begins at `from`, this share of its length, above 0 and up to 1. The way left
-/// then begins at the last of the poses returned.
+/// Takes from the front of the way, which begins at `from`, this share of its length, above 0 and up to 1. The rest of
+/// the way then begins at the last of the poses returned.
 std::vector<Pose> takeFront(double share, const Pose& from, const Edge& edge, std::vector<Pose>* way);
 
 }  // namespace incision

@@ -9,11 +9,15 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <string>
+#include <vector>
+
 #include "incision/pace/agenda.h"
+#include "incision/pace/transform_queue.h"
 #include "incision/pace/wakeup.h"
 #include "incision/ros/parameters.h"
 #include "incision/ros/reporter.h"
-#include "incision/ros/transform_queue.h"
+#include "incision/ros/tf_frames.h"
 
 namespace incision {
 
@@ -34,20 +38,23 @@ class CommandInput {
   bool waitsFor(Nanoseconds time) const;
 
   /// What the node knows of tf.
-  const tf2::BufferCore& transforms() const { return buffer_; }
+  const Frames& frames() const { return frames_; }
 
   /// Refuses the commands that wait for a transform.
   void clear(const Refused& refused);
 
  private:
   void receiveCut(const CutPlane& message);
-  void receivePose(const geometry_msgs::PoseStamped& message);
-  void receiveActive(const std_msgs::Bool& message);
+  void receivePose(int tool, const geometry_msgs::PoseStamped& message);
+  template <class Message, class Receive>
+  void subscribe(ros::NodeHandle& node, const std::string& topic, Receive receive);
+  void subscribeToTool(ros::NodeHandle& node, int tool, const ToolEntry& entry);
+  void subscribeToNoTool(ros::NodeHandle& node);
   void accept(const Command& command);
   void release(const Command& command);
   void refuse(const Command& command, const Refused& refused);
 
-  const bool has_tool_, use_sim_time_;
+  const bool use_sim_time_;
   const std::string body_frame_;
   Agenda& agenda_;
   Reporter& reporter_;
@@ -55,9 +62,10 @@ class CommandInput {
 
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
+  const TfFrames frames_;
   TransformQueue transforms_;
   ros::CallbackQueue callbacks_;
-  ros::Subscriber cuts_, poses_, active_;
+  std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer poll_;
   ros::AsyncSpinner spinner_;  ///< last: its thread uses all of the above
 };

@@ -19,22 +19,17 @@ Vec3 toVec3(const geometry_msgs::Vector3& v);
 geometry_msgs::Point toPoint(const Vec3& v);
 geometry_msgs::Vector3 toVector3(const Vec3& v);
 
-/// As the message stands, in the message's frame; nothing is checked.
+/// What the message says, in its own frame; nothing is checked.
 PlaneCut toPlaneCut(const CutPlane& message);
-/// The same; the quaternion is normalised.
-Pose toPose(const geometry_msgs::Pose& pose);
 
+/// The quaternion is normalised, and nothing is checked.
+Pose toPose(const geometry_msgs::Pose& pose);
 Pose toPose(const geometry_msgs::Transform& transform);
+
 geometry_msgs::Pose toPoseMessage(const Pose& pose);
 
 /// Throws std::runtime_error where a ros::Time cannot be that late.
 ros::Time toRos(Nanoseconds stamp);
-
-Eigen::Isometry3d toIsometry(const geometry_msgs::Transform& transform);
-
-/// The same plane, or pose, seen from the frame that `to_frame` maps into.
-PlaneCut transformed(const PlaneCut& plane, const Eigen::Isometry3d& to_frame);
-Pose transformed(const Pose& pose, const Eigen::Isometry3d& to_frame);
 
 /// All but the header.
 CutReport toReport(const CutResult& result);
@@ -43,7 +38,7 @@ CrackEvent toEvent(const CrackResult& result);
 /// 16 hexadecimal digits.
 std::string toHex(std::uint64_t hash);
 
-/// Fills the sizes, the motion, step, time and hash; the rest is left to the node.
+/// Fills the sizes, the motion, step, time and hash; the node fills in the rest.
 void fillState(const DeformableBody& body, BodyState& state);
 
 }  // namespace incision

@@ -5,34 +5,45 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "incision/body/deformable_body.h"
 #include "incision/pace/wakeup.h"
 #include "incision/ros/markers.h"
+#include "incision/ros/parameters.h"
 
 namespace incision {
 
-/// Publishes the body's surface, the obstacles and the tool at a given rate, to subscribers only. The stepping thread
+/// Publishes the body's surface, the obstacles and the tools at a given rate, to subscribers only. The stepping thread
 /// only copies positions; messages are built and sent on a thread of its own, which skips what it is too slow for.
 class MarkerPublisher {
  public:
-  /// `rate` [Hz]; 0: never. `edge`: of the tool, where there is one.
-  MarkerPublisher(ros::NodeHandle& node, const std::string& frame, double rate, const Obstacles& obstacles,
-                  const std::optional<Edge>& edge);
+  /// `edges`: of the tools.
+  MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const Obstacles& obstacles,
+                  const std::vector<Edge>& edges);
   ~MarkerPublisher();
 
-  /// Hands over the body's surface, and where the obstacles' links and the tool are, when it is time and somebody
-  /// listens. `force`: on the tool, as in ToolView.
-  void offer(const DeformableBody& body, const std::vector<Pose>& links, const Vec3& force, SteadyTime now);
+  /// Hands over the body's surface, where the obstacles' `links` and the tools are, and the forces on the tools in the
+  /// last step, when it is time and somebody listens.
+  void offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step, SteadyTime now);
   /// When to offer again.
   SteadyTime nextOffer() const { return next_; }
 
  private:
+  /// Of a tool.
+  struct ToolOutput {
+    Edge edge;
+    ros::Publisher publisher;
+  };
+  /// What somebody listens to, and nothing else.
   struct Snapshot {
-    std::shared_ptr<const Surface> surface;  ///< none where nobody listens
+    std::shared_ptr<const Surface> surface;
     std::vector<Vec3> positions;
-    std::optional<std::vector<Pose>> links;  ///< the same
-    std::optional<ToolView> tool;            ///< the same
+    std::optional<std::vector<Pose>> links;
+    std::vector<std::pair<int, ToolView>> tools;  ///< by index
+
+    bool empty() const { return !surface && !links && tools.empty(); }
   };
   void addSurface(const DeformableBody& body, Snapshot* snapshot);
   void publish(const Snapshot& snapshot) const;
@@ -41,9 +52,9 @@ class MarkerPublisher {
 
   const std::string frame_;
   const Obstacles obstacles_;
-  const std::optional<Edge> edge_;
   std::chrono::nanoseconds period_;
-  ros::Publisher body_publisher_, obstacle_publisher_, tool_publisher_;
+  ros::Publisher body_publisher_, obstacle_publisher_;
+  std::vector<ToolOutput> tools_;
   SteadyTime next_;
   std::shared_ptr<const Surface> surface_;
   std::uint64_t topology_version_ = 0;

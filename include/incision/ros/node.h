@@ -4,12 +4,16 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "incision/pace/obstacle_tracker.h"
 #include "incision/pace/pacer.h"
 #include "incision/pace/real_time_factor.h"
 #include "incision/pace/stepping_tasks.h"
 #include "incision/ros/command_input.h"
 #include "incision/ros/marker_publisher.h"
-#include "incision/ros/obstacle_tracker.h"
 #include "incision/ros/tool_driver.h"
 
 namespace incision {
@@ -40,17 +44,19 @@ class IncisionNode {
   bool applyCuts(bool step_due);
   void applyCut(const PlaneCut& plane);
   StepTime stepTime() const;
-  void leadTool(const StepTime& time);
+  void leadTools(const StepTime& time);
   void moveObstacles(const StepTime& time);
   bool stepDue();
   void step();
+  bool tryStep();
   void stepFailed(const std::string& why);
+  void reportChanges();
   void publishState();
 
   ros::NodeHandle node_{"~"};
   NodeSettings settings_;
   DeformableBody body_;
-  const std::optional<Edge> edge_;  ///< of the tool, where the scene has one
+  const std::vector<Edge> edges_;  ///< of the tools
   std::unique_ptr<Pacer> pacer_;
 
   Wakeup wakeup_;
@@ -68,8 +74,8 @@ class IncisionNode {
   ros::Subscriber clock_;
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;
-  ObstacleTracker tracker_;
-  std::unique_ptr<ToolDriver> tool_;  ///< where the scene has one
+  ObstacleTracker obstacles_;
+  std::vector<ToolDriver> tools_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -2,8 +2,9 @@
 
 #include <ros/node_handle.h>
 
-#include <string>
+#include <vector>
 
+#include "incision/ros/tool_entry.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -11,13 +12,15 @@ namespace incision {
 /// The node's private parameters.
 struct NodeSettings {
   Scene scene;                   ///< ~scene
+  std::vector<ToolEntry> tools;  ///< of the scene
   Descriptions descriptions;     ///< ~tool_description, ~obstacle_description
   double marker_rate = 15;       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
   double transform_timeout = 1;  ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
   double max_lag = 5;            ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for
 };
 
-/// Reads and checks them all. Throws InputError with parameter, value and what is allowed.
+/// Reads and checks them all. Throws InputError with parameter, value and what is allowed, and for a parameter that the
+/// node does not know.
 NodeSettings loadSettings(const ros::NodeHandle& node);
 
 }  // namespace incision

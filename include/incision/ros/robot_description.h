@@ -13,8 +13,8 @@ namespace incision {
 /// InputError when it cannot be read.
 std::string toolDescription(const ros::NodeHandle& node, const Scene& scene);
 
-/// Text of the obstacles' URDF: likewise the parameter `obstacle_description`, which then stands in the scene's contact
-/// section in place of the file; a scene without that section gets one.
+/// Text of the obstacles' URDF: the parameter `obstacle_description`, looked for and read in that way, which then
+/// stands in the scene's contact section in place of the file; a scene without that section gets one.
 std::string obstacleDescription(const ros::NodeHandle& node, Scene* scene);
 
 }  // namespace incision

@@ -15,7 +15,7 @@ inline const std::string SCALPEL = "scalpel", PLANE = "plane";
 /// its six freedoms. It is locked to `frame`, so rviz answers in it.
 visualization_msgs::InteractiveMarker scalpelHandle(const std::string& frame, const Pose& pose, double size);
 
-/// A translucent rectangle to grab, `length` [m] along its x axis and `width` [m] along y; likewise.
+/// A translucent rectangle to grab, `length` [m] along its x axis and `width` [m] along y. It is locked to `frame` too.
 visualization_msgs::InteractiveMarker planeHandle(const std::string& frame, const Pose& pose, double length,
                                                   double width);
 

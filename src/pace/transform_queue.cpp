@@ -1,29 +1,22 @@
-#include "incision/ros/transform_queue.h"
+#include "incision/pace/transform_queue.h"
 
 #include <algorithm>
-
-#include "incision/ros/conversions.h"
+#include <utility>
 
 namespace incision {
 namespace {
 
-bool isPose(const Command& command) { return std::holds_alternative<Pose>(command.action); }
-
-Command inBodyFrame(Command command, const std::string& body_frame, const Eigen::Isometry3d& to_body) {
-  std::visit([&](auto& action) { action = transformed(action, to_body); }, command.action);
-  command.frame = body_frame;
-  return command;
+/// Whether both are poses of one tool in one frame.
+bool ofOneStream(const Command& a, const Command& b) {
+  const auto* pose_a = std::get_if<ToolPose>(&a.action);
+  const auto* pose_b = std::get_if<ToolPose>(&b.action);
+  return pose_a != nullptr && pose_b != nullptr && pose_a->tool == pose_b->tool && a.frame == b.frame;
 }
 
 }  // namespace
 
-TransformQueue::TransformQueue(const tf2::BufferCore& buffer, std::string body_frame, double timeout, Release release,
-                               Refuse refuse)
-    : buffer_(buffer),
-      body_frame_(std::move(body_frame)),
-      timeout_(timeout),
-      release_(std::move(release)),
-      refuse_(std::move(refuse)) {}
+TransformQueue::TransformQueue(const Frames& frames, double timeout, Release release, Refuse refuse)
+    : frames_(frames), timeout_(timeout), release_(std::move(release)), refuse_(std::move(refuse)) {}
 
 void TransformQueue::add(const Command& command) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -64,41 +57,31 @@ std::optional<Nanoseconds> TransformQueue::earliestStamp() const {
   return earliest;
 }
 
-/// Released now, the pose would come before one that was sent earlier.
+/// Whether the command, released now, would come before a pose of its tool that was sent earlier.
 bool TransformQueue::overtakes(const Command& command) const {
-  return isPose(command) && std::any_of(waiting_.begin(), waiting_.end(), [&](const Command& earlier) {
-           return isPose(earlier) && earlier.frame == command.frame;
-         });
+  return std::any_of(waiting_.begin(), waiting_.end(),
+                     [&](const Command& earlier) { return ofOneStream(earlier, command); });
 }
 
 bool TransformQueue::tryRelease(const Command& command) {
-  if (command.frame == body_frame_) {
+  if (command.frame == frames_.body()) {
     release_(command);
     return true;
   }
-  try {
-    if (!buffer_.canTransform(body_frame_, command.frame, toRos(command.stamp))) return false;
-    const auto transform = buffer_.lookupTransform(body_frame_, command.frame, toRos(command.stamp)).transform;
-    release_(inBodyFrame(command, body_frame_, toIsometry(transform)));
-    return true;
-  } catch (const std::exception&) {  // also of ros::Time, when a stamp is too far off to subtract
-    return false;
-  }
+  const auto found = frames_.find(command.frame, command.stamp, nullptr);
+  if (found) release_(inBodyFrame(command, found->pose, frames_.body()));
+  return found.has_value();
 }
 
 std::string TransformQueue::whyNot(const Command& command) const {
   std::string why;
-  try {
-    buffer_.canTransform(body_frame_, command.frame, toRos(command.stamp), &why);
-  } catch (const std::exception& error) {
-    why = error.what();
-  }
-  return "header: no transform from \"" + command.frame + "\" to \"" + body_frame_ + "\" in time: " + why;
+  frames_.find(command.frame, command.stamp, &why);
+  return "header: no transform from \"" + command.frame + "\" to \"" + frames_.body() + "\" in time: " + why;
 }
 
 void TransformQueue::putOneOut() {
   auto oldest = std::find_if(waiting_.begin(), waiting_.end(),
-                             [this](const Command& command) { return !buffer_._frameExists(command.frame); });
+                             [this](const Command& command) { return !frames_.knows(command.frame); });
   if (oldest == waiting_.end()) oldest = waiting_.begin();
   refuse_(*oldest,
           {Refusal::TOO_MANY, "too many commands wait for a transform; this one from \"" + oldest->frame + "\""});

@@ -1,6 +1,4 @@
-#include "incision/ros/tool_tracker.h"
-
-#include <ros/console.h>
+#include "incision/pace/tool_tracker.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,9 +7,6 @@
 
 namespace incision {
 namespace {
-
-/// Least time [s] between two warnings of jumps.
-constexpr double WARNING_PERIOD = 2;
 
 double seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
 
@@ -31,8 +26,8 @@ void ToolTracker::restart() {
 }
 
 ToolMove ToolTracker::follow(const ToolInput& input, Nanoseconds now, bool single) {
-  admit(input.poses, now);
   ToolMove move;
+  admit(input.poses, now, &move);
   bool under_way = !way_.empty();
   int taken = 0;
   for (; !waiting_.empty() && !(under_way && beginsStroke(waiting_.front())); waiting_.pop_front(), ++taken) {
@@ -41,8 +36,8 @@ ToolMove ToolTracker::follow(const ToolInput& input, Nanoseconds now, bool singl
   }
   const bool switches = waiting_.empty() && input.active != active_;
   if (switches && !under_way) active_ = input.active;
-  if (single || taken > 1 || switches || !waiting_.empty()) approach_.hurry();
-  if (taken == 0 && !single) checkAge(now);
+  if (single || taken > 1 || switches || !waiting_.empty()) approach_.arriveInOneStep();
+  if (taken == 0 && !single) checkAge(now, &move);
 
   move.active = active_;
   if (const double share = approach_.takeShare(); share > 0) {
@@ -53,14 +48,15 @@ ToolMove ToolTracker::follow(const ToolInput& input, Nanoseconds now, bool singl
   return move;
 }
 
-void ToolTracker::admit(const std::vector<ReceivedPose>& poses, Nanoseconds now) {
+void ToolTracker::admit(const std::vector<ReceivedPose>& poses, Nanoseconds now, ToolMove* move) {
   for (const ReceivedPose& pose : poses) {
     waiting_.push_back(pose);
     Nanoseconds& time = waiting_.back().time;
     time = time > 0 ? std::min(std::max(time, last_call_), now) : now;
   }
-  if (!poses.empty()) dropOldest();
-  if (!poses.empty() && std::exchange(stale_, false)) ROS_INFO("the tool's poses come again");
+  if (poses.empty()) return;
+  dropOldest();
+  move->came_again = std::exchange(stale_, false);
 }
 
 /// Keeps the newest strokes; the tool is put where the first of them begins.
@@ -91,9 +87,7 @@ void ToolTracker::take(const ReceivedPose& pose, ToolMove* move) {
   if (jumps(last_, pose.pose)) {
     if (last_) {
       ++jumps_;
-      ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "the tool's pose jumped by " << travel(*last_, pose.pose, edge_)
-                                                                            << " m (followed: up to " << max_step_
-                                                                            << " m): a new stroke begins there");
+      move->jump = travel(*last_, pose.pose, edge_);
     }
     move->placed = pose_ = pose.pose;
     approach_.stop();
@@ -106,13 +100,12 @@ void ToolTracker::take(const ReceivedPose& pose, ToolMove* move) {
   move->received = pose.received;
 }
 
-void ToolTracker::checkAge(Nanoseconds now) {
+void ToolTracker::checkAge(Nanoseconds now, ToolMove* move) {
   if (!last_ || stale_ || !waiting_.empty() || seconds(now - last_time_) <= timeout_) return;
-  stale_ = true;
+  stale_ = move->went_stale = true;
   way_.clear();
   approach_.stop();
   last_ = pose_;
-  ROS_WARN_STREAM("no pose of the tool for more than " << timeout_ << " s: it holds still where it is");
 }
 
 }  // namespace incision

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "incision/pace/agenda.h"
 #include "incision/pace/approach.h"
+#include "incision/pace/tool_queue.h"
 #include "incision/tool/settings.h"
 
 namespace incision {
@@ -20,6 +20,11 @@ struct ToolMove {
   std::optional<Pose> placed;          ///< it is put there, and sweeps nothing on its way
   std::vector<Pose> path;              ///< it goes evenly along these poses
   std::optional<SteadyTime> received;  ///< of the newest pose that it follows for the first time
+
+  // What somebody should be told.
+  std::optional<double> jump;  ///< [m] from one pose to the next, where a new stroke begins because that is too far
+  bool went_stale = false;     ///< as ToolTracker::stale() explains
+  bool came_again = false;     ///< poses, after they had gone stale
 };
 
 /// Turns the tool's poses into its path in each step. When several came since the last step, all of them are the path;
@@ -39,28 +44,28 @@ class ToolTracker {
   /// There is no pose yet.
   void restart();
 
-  /// The newest pose is older than `tool.timeout`: the tool holds still where it is, what was left of its way is
-  /// dropped. It goes on with the next pose, in the same stroke unless that is a jump.
+  /// The newest pose is older than `tool.timeout`: the tool holds still where it is, the rest of its way is dropped. It
+  /// goes on with the next pose, in the same stroke unless that is a jump.
   bool stale() const { return stale_; }
 
   /// Jumps so far.
   std::uint64_t jumps() const { return jumps_; }
 
  private:
-  void admit(const std::vector<ReceivedPose>& poses, Nanoseconds now);
+  void admit(const std::vector<ReceivedPose>& poses, Nanoseconds now, ToolMove* move);
   void dropOldest();
   bool jumps(const std::optional<Pose>& from, const Pose& to) const;
   bool beginsStroke(const ReceivedPose& pose) const;
   void take(const ReceivedPose& pose, ToolMove* move);
-  void checkAge(Nanoseconds now);
+  void checkAge(Nanoseconds now, ToolMove* move);
 
   const double max_step_, timeout_;
   const Edge edge_;
   const double time_step_;
 
   std::deque<ReceivedPose> waiting_;
-  std::optional<Pose> last_;  ///< pose that was taken from there
-  bool active_ = true;        ///< on the way to it
+  std::optional<Pose> last_;  ///< newest pose that is on the way
+  bool active_ = true;        ///< the blade is on on the way to it
   Nanoseconds last_time_ = 0;
   Pose pose_;              ///< of the tool after the step asked for last
   std::vector<Pose> way_;  ///< from there

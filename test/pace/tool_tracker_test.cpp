@@ -1,7 +1,8 @@
-#include "incision/ros/tool_tracker.h"
+#include "incision/pace/tool_tracker.h"
 
 #include <gtest/gtest.h>
-#include <ros/time.h>
+
+#include "incision/pace/agenda.h"
 
 namespace incision {
 namespace {
@@ -17,8 +18,6 @@ ReceivedPose received(double x, Nanoseconds time, bool active = true) {
 }
 
 struct ToolTrackerTest : testing::Test {
-  ToolTrackerTest() { ros::Time::init(); }  // warnings go by it
-
   /// The next step, with these poses and the blade as the last of them has it.
   ToolMove follow(const std::vector<ReceivedPose>& poses, Nanoseconds now) {
     return tracker.follow({poses, poses.empty() || poses.back().active}, now, false);
@@ -84,6 +83,7 @@ TEST_F(ToolTrackerTest, AJumpPutsTheToolThereAndCounts) {
   ASSERT_EQ(1u, move.path.size());
   EXPECT_EQ(0.21, move.path[0].position.x());
   EXPECT_EQ(1u, tracker.jumps());
+  EXPECT_NEAR(0.11, move.jump.value(), ROUNDING);
 }
 
 TEST_F(ToolTrackerTest, ATurnThatCarriesAnEndOfTheEdgeFarIsAJump) {
@@ -142,10 +142,13 @@ TEST_F(ToolTrackerTest, AStalePoseStopsTheToolWhereItIs) {
   strict.follow({{received(0.05, 1050 * MS)}}, 1050 * MS, false);
   EXPECT_FALSE(strict.follow({}, 1070 * MS, false).path.empty());
   EXPECT_FALSE(strict.stale());
-  EXPECT_TRUE(strict.follow({}, 1080 * MS, false).path.empty());
+  ToolMove move = strict.follow({}, 1080 * MS, false);
+  EXPECT_TRUE(move.path.empty());
+  EXPECT_TRUE(move.went_stale);
   EXPECT_TRUE(strict.stale());
-  // Held at 0.02, it goes on from there.
-  const ToolMove move = strict.follow({{received(0.03, 1090 * MS)}}, 1090 * MS, false);
+  // It stands still at 0.02, and goes on from there.
+  move = strict.follow({{received(0.03, 1090 * MS)}}, 1090 * MS, false);
+  EXPECT_TRUE(move.came_again);
   EXPECT_FALSE(strict.stale());
   EXPECT_FALSE(move.placed);
   EXPECT_NEAR(0.0225, move.path.back().position.x(), ROUNDING);  // a quarter of 0.01 m: in 40 ms
@@ -172,18 +175,18 @@ TEST_F(ToolTrackerTest, AfterARestartAPoseOnlyPlacesTheTool) {
   EXPECT_EQ(0u, tracker.jumps());
 }
 
-/// With stamps, the path in each step is the same however early the poses arrive.
+/// With stamps, the path in a step does not depend on how early the poses arrive.
 TEST_F(ToolTrackerTest, AReplayDoesNotDependOnArrival) {
   std::vector<ReceivedPose> poses;
   for (int k = 1; k <= 40; ++k) poses.push_back(received(0.002 * k * k, 1000 * MS + k * 7 * MS));
   std::vector<double> ends[2];
   for (const int ahead : {0, 1}) {
-    Agenda agenda;
+    Agenda agenda(1);
     ToolTracker replayed(settings, edge, TIME_STEP);
     auto next = poses.begin();
     for (Nanoseconds now = 1000 * MS; now < 1400 * MS; now += 10 * MS) {
-      for (; next != poses.end() && (ahead == 1 || next->time <= now); ++next) agenda.add(*next, next->time);
-      const ToolMove move = replayed.follow(agenda.takeTool(now), now, false);
+      for (; next != poses.end() && (ahead == 1 || next->time <= now); ++next) agenda.add(0, *next, next->time);
+      const ToolMove move = replayed.follow(agenda.takeTool(0, now), now, false);
       if (move.placed) ends[ahead].push_back(move.placed->position.x());
       for (const Pose& pose : move.path) ends[ahead].push_back(pose.position.x());
     }

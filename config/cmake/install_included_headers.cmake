@@ -1,0 +1,17 @@
+# Installs the headers that installed ones include, and so on. Run by `cmake --install`, so that it is never behind the
+# headers. Given: SOURCE_FOLDER, of all headers; HEADERS, the installed ones, as they are included; DESTINATION, absolute.
+cmake_policy(VERSION 3.22)
+set(to_read ${HEADERS})
+while(to_read)
+  list(POP_FRONT to_read header)
+  file(STRINGS "${SOURCE_FOLDER}/${header}" lines REGEX "^#include \"incision/")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${line}")
+    if(NOT included IN_LIST HEADERS)
+      list(APPEND HEADERS ${included})
+      list(APPEND to_read ${included})
+      get_filename_component(folder ${included} DIRECTORY)
+      file(INSTALL "${SOURCE_FOLDER}/${included}" DESTINATION "${DESTINATION}/${folder}")
+    endif()
+  endforeach()
+endwhile()

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incision/contact/obstacles.h"
+#include "incision/pace/approach.h"
+#include "incision/pace/link_lookup.h"
+
+namespace incision {
+
+/// A link that is further from where it stood than this speed [m/s] explains did not move there but was put there: it
+/// sweeps nothing on its way. No robot's hand is faster; slower jumps would throw the body about.
+inline constexpr double MAX_OBSTACLE_SPEED = 10;
+
+/// Where a link goes in the next step.
+struct LinkMove {
+  int link;
+  Pose pose;                              ///< in the body's frame, at the end of the step
+  bool at_once = false;                   ///< it is put there, and sweeps nothing on its way
+  std::optional<double> jump_speed = {};  ///< [m/s] at which it would have moved there, where that is too fast
+};
+
+/// Follows the obstacles' links, by the frames of their names. A link of which nothing is known stays where it is, and
+/// those of tools are left alone. Used by the stepping thread, which it never makes wait.
+class ObstacleTracker {
+ public:
+  /// `time_step` [s].
+  ObstacleTracker(LinkLookup lookup, const Obstacles& obstacles, double time_step);
+
+  /// The links that go somewhere in the next step: to where they are at `end`, the ROS time at which the step ends;
+  /// where that is not known yet, or `end` is 0, to where they were at last.
+  std::vector<LinkMove> follow(Nanoseconds end);
+
+  /// Each link is where the description has it, until it is heard of again.
+  void restart();
+
+  /// Where the links are, or are going in the step asked for last.
+  const std::vector<Pose>& poses() const { return poses_; }
+
+  /// How often, so far, a link stayed where it was because what is known of it was of no use.
+  std::uint64_t ignored() const { return lookup_.ignored(); }
+
+ private:
+  struct Link {
+    std::string name;
+    Pose described;
+    double reach = 0;  ///< [m] of its shapes from its origin
+    Pose target;
+    Nanoseconds stamp = 0;  ///< of the target
+    Approach approach;      ///< to the target
+    bool found = false;     ///< since the start
+    bool of_tool = false;   ///< which the body itself moves
+  };
+  void aim(const StampedPose& target, Link* link, LinkMove* move) const;
+
+  LinkLookup lookup_;
+  const double time_step_;
+  std::vector<Link> links_;
+  std::vector<Pose> poses_;
+};
+
+}  // namespace incision

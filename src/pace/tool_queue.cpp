@@ -1,0 +1,34 @@
+#include "incision/pace/tool_queue.h"
+
+namespace incision {
+
+void ToolQueue::add(ReceivedPose pose, Nanoseconds stamp) {
+  pose.active = active_;
+  poses_.add(pose, stamp);
+  last_pose_ = stamp;
+  if (poses_.size() <= MAX_WAITING_POSES) return;
+  poses_.thin();
+  ++thinned_;
+}
+
+void ToolQueue::activate(bool active) {
+  active_ = active;
+  switched_after_ = last_pose_;
+}
+
+ToolInput ToolQueue::take(Nanoseconds time) {
+  ToolInput input;
+  input.poses = poses_.take(time);
+  if (!input.poses.empty()) active_taken_ = input.poses.back().active;
+  if (switched_after_ <= time) active_taken_ = active_;
+  input.active = active_taken_;
+  return input;
+}
+
+void ToolQueue::clear() {
+  const std::uint64_t thinned = thinned_;
+  *this = ToolQueue();
+  thinned_ = thinned;
+}
+
+}  // namespace incision
