@@ -175,15 +175,12 @@ void theSameAgain(Matrix* matrix) {
 void cutsAndGeometry(Matrix* matrix) {
   matrix->begin("Random planes against geometry");
   randomPlanes(matrix);
-  matrix->end();
   matrix->begin("Planes through nodes, edges and faces");
   wholeNumbers(matrix);
-  matrix->end();
   matrix->begin("Cuts a hair apart, and again");
   hairApart(matrix);
   smallAngles(matrix);
   theSameAgain(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

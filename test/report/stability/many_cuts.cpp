@@ -186,9 +186,8 @@ void longRun(Matrix* matrix) {
     });
     const std::string name = std::to_string(steps) + " steps with " + std::to_string(body.mesh.numCracks()) +
                              " cuts, " + (held ? "held" : "free");
-    matrix->add(name + ": residual", body.seen().finite ? body.seen().residual_share : -1, RESIDUAL_BOUND,
-                RESIDUAL_REASON);
-    matrix->add(name + ": energy growth", body.seen().growth, GROWTH_BOUND, GROWTH_REASON);
+    addResidual(matrix, name + ": residual", body.seen().residualIfFinite());
+    addGrowth(matrix, name + ": energy growth", body.seen().growth);
     if (!held) matrix->add(name + ": momentum", body.seen().drift, 1e-11, "rounding of the forces, over mass × speed");
   }
 }
@@ -200,11 +199,9 @@ void manyCuts(Matrix* matrix) {
   rectangles(matrix);
   planesToTheLimit(matrix);
   oneElement(matrix);
-  matrix->end();
   matrix->begin("Strokes and long runs");
   strokes(matrix);
   longRun(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

@@ -103,14 +103,14 @@ void chains(Matrix* matrix) {
           for (const double at : {from, from + width * CELL}) body.cut(plane(at * Vec3::Ones(), Vec3::Unit(axis)));
         body.startWatching();
         body.take(300, 10);
-        residual.add(body.seen().finite ? body.seen().residual_share : -1);
+        residual.add(body.seen().residualIfFinite());
         growth.add(body.seen().growth);
         sinking.add(errorOfSinking(body, 0.8));
       }
   matrix->add("in chains, hanging needles 1e-1 to 1.1e-4 of a cell thick: error of sinking", sinking.figure(), 0.01,
               "ρgL²/3E; eight linear elements: 1/(4·8²)");
-  matrix->add("in chains: residual", residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-  matrix->add("in chains: energy growth", growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+  addResidual(matrix, "in chains: residual", residual.figure());
+  addGrowth(matrix, "in chains: energy growth", growth.figure());
 }
 
 /// Half a block hangs on the other half by a bridge of small parts alone.
@@ -130,12 +130,12 @@ void bridges(Matrix* matrix) {
       wrong += body.pieces() != 1;
       body.startWatching();
       body.take(200, 10);
-      residual.add(body.seen().finite ? body.seen().residual_share : -1);
+      residual.add(body.seen().residualIfFinite());
       growth.add(body.seen().growth);
     }
   matrix->add("bridges: bodies that fell apart", wrong, 0, "the bridge is not cut");
-  matrix->add("bridges: residual", residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-  matrix->add("bridges: energy growth", growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+  addResidual(matrix, "bridges: residual", residual.figure());
+  addGrowth(matrix, "bridges: energy growth", growth.figure());
 }
 
 }  // namespace
@@ -146,7 +146,6 @@ void smallParts(Matrix* matrix) {
   aloneWithConsistentMass(matrix);
   chains(matrix);
   bridges(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

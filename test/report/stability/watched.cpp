@@ -101,19 +101,19 @@ void Watched::compare(const Motion& before) {
 
 void Flights::add(const Watched& body) {
   const Watch& seen = body.seen();
-  residual_.add(seen.finite ? seen.residual_share : -1);
+  residual_.add(seen.residualIfFinite());
   drift_.add(seen.drift);
   growth_.add(seen.growth);
 }
 
 void Flights::report(Matrix* matrix, const std::string& name) const {
   const std::string with = name + ", " + nameOf(method_);
-  matrix->add(with + ": residual", residual_.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
+  addResidual(matrix, with + ": residual", residual_.figure());
   if (method_ == Method::DIRECT)
     matrix->add(with + ": momentum", drift_.figure(), 1e-11, "rounding of the forces, over mass × speed");
   else
     matrix->add(with + ": momentum", drift_.figure(), 1e-6, "the tolerance, over mass × speed");
-  matrix->add(with + ": energy growth", growth_.figure(), GROWTH_BOUND, GROWTH_REASON);
+  addGrowth(matrix, with + ": energy growth", growth_.figure());
 }
 
 }  // namespace incision::report
