@@ -23,8 +23,8 @@ def rendered(folder, name):
     data = json.loads((folder / 'data' / f'{name}.json').read_text(encoding='utf-8'))
     fields = importlib.import_module(f'{name}.section').fields(data, Plots(folder / 'plots', name))
     title, body = (HERE / name / 'section.md').read_text(encoding='utf-8').split('\n', 1)
-    return '\n'.join([title, '', text.filled((HERE / 'measured.md').read_text(encoding='utf-8'), data['measured']),
-                      text.filled(body, {**data, **fields})])
+    measured = text.filled((HERE / 'measured.md').read_text(encoding='utf-8').strip(), data['measured'])
+    return '\n'.join([title, '', measured, text.filled(body, {**data, **fields})])
 
 
 def main(folder, names):
