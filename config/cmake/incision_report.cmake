@@ -1,7 +1,6 @@
-# The report: what test/report/<section>/ measures, its claims, and the pages. The target `report` builds the programs.
-# ctest measures each section quickly, as a fixture of the tests in <section>/claims.py, and then draws the pages.
+# The report: what test/report/<section>/ measures, its claims, and the pages. ctest builds the target `report`, which is
+# no part of `tests`, measures each section quickly, as a fixture of the tests in <section>/claims.py, and draws the pages.
 add_custom_target(report DEPENDS incision_batch)
-add_dependencies(tests report)
 
 add_library(incision_report STATIC EXCLUDE_FROM_ALL test/report/section.cpp)
 incision_compile(incision_report)
@@ -29,12 +28,16 @@ function(incision_report_test name)
     ENVIRONMENT "INCISION_BATCH=$<TARGET_FILE:incision_batch>;INCISION_PROGRAMS=${report_folder};INCISION_REPORT=${report_folder}/quick")
 endfunction()
 
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+incision_report_test(build SETS_UP report_programs
+  COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target report --parallel ${cores})
+
 foreach(section IN LISTS report_sections)
   file(GLOB sources CONFIGURE_DEPENDS ${report_sources}/${section}/*.cpp)
   if(sources)
     incision_report_program(report_${section} incision ${sources})
   endif()
-  incision_report_test(${section}.measure SETS_UP report_${section}
+  incision_report_test(${section}.measure SETS_UP report_${section} NEEDS report_programs
     COMMAND "${report_sources}/measure.py" --quick "${report_folder}/quick" ${section})
 
   set(file "${report_sources}/${section}/claims.py")

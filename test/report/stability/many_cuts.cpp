@@ -58,11 +58,9 @@ void rectangles(Matrix* matrix) {
       std::to_string(count) + " rectangles, " + std::to_string(body.mesh.parts().size()) + " parts";
   matrix->add(name + ": refused", refused, 0, "far from the limits");
   addCounts(matrix, name, body.mesh);
-  throwApart(&body);
-  body.take(5, 5);
-  Flights flight(Method::DIRECT);
-  flight.add(body);
-  flight.report(matrix, name + ", flight");
+  Flights flights;
+  flights.fly(&body, 5, 5);
+  flights.report(matrix, name + ", flight");
 }
 
 /// Unbounded planes through a body of six elements until the limit of parts refuses them, and then as many again.
@@ -85,11 +83,9 @@ void planesToTheLimit(Matrix* matrix) {
       std::to_string(count) + " planes through six elements, " + std::to_string(refused) + " refused";
   matrix->add(name + ": refused ones that changed anything", changed, 0, "a cut is taken whole or not at all");
   addCounts(matrix, name, body.mesh);
-  throwApart(&body);
-  body.take(3, 3);
-  Flights flight(Method::ITERATIVE);
-  flight.add(body);
-  flight.report(matrix, name + ", flight of " + std::to_string(body.pieces()) + " pieces");
+  Flights flights;
+  flights.fly(&body, 3, 3);
+  flights.report(matrix, name + ", flight of " + std::to_string(body.pieces()) + " pieces");
 }
 
 /// One element in as many parts as it may have.
@@ -112,11 +108,9 @@ void oneElement(Matrix* matrix) {
       matrix->add(name + ": pieces too many or too few", std::abs(body.pieces() - parts), 0, "each part is a piece");
       addCounts(matrix, name, body.mesh);
     }
-    throwApart(&body);
-    body.take(10, 5);
-    Flights flight(method);
-    flight.add(body);
-    flight.report(matrix, name + ", flight");
+    Flights flights;
+    flights.fly(&body, 10, 5);
+    flights.report(matrix, name + ", flight");
   }
 }
 

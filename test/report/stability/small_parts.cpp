@@ -18,7 +18,7 @@ double smallestShare(const CutMesh& mesh) {
 /// A corner of a block, cut off with such a share of its elements.
 void alone(Matrix* matrix) {
   Worst share_error;
-  Flights direct(Method::DIRECT), iterative(Method::ITERATIVE);
+  Flights flights;
   Worst direct_fall, iterative_fall;
   for (const Method method : METHODS)
     for (int k = 1; k <= 12; k += matrix->quick() && k > 1 ? 5 : 1) {
@@ -27,9 +27,7 @@ void alone(Matrix* matrix) {
       Watched thrown(block({5, 4, 4}, CELL * Vec3(5, 4, 4)), freeBody(method));
       thrown.cut(corner);
       share_error.add(std::abs(smallestShare(thrown.mesh) / share - 1));
-      throwApart(&thrown);
-      thrown.take(50, 2);
-      (method == Method::DIRECT ? direct : iterative).add(thrown);
+      flights.fly(&thrown, 50, 2);
 
       RigSettings settings = freeBody(method);
       settings.conditions.gravity = Vec3(1, -2, -9);
@@ -43,8 +41,7 @@ void alone(Matrix* matrix) {
     }
   matrix->add("share of the element, relative error", share_error.figure(), 1e-3,
               "from the plane; rounding of 1e-16 in 1e-12");
-  direct.report(matrix, "alone, thrown");
-  iterative.report(matrix, "alone, thrown");
+  flights.report(matrix, "alone, thrown");
   matrix->add("alone, falling, direct: error of every velocity", direct_fall.figure(), 1e-11,
               "v = g n Δt exactly; rounding of the forces");
   matrix->add("alone, falling, iterative: error of every velocity", iterative_fall.figure(), 1e-4,

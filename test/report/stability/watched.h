@@ -79,14 +79,17 @@ class Worst {
 /// What bodies in free flight must keep, each method by its own bounds.
 class Flights {
  public:
-  explicit Flights(Method method) : method_(method) {}
-  void add(const Watched& body);
-  /// Adds the cases "residual", "momentum" and "energy" of all flights so far.
+  /// Throws a body's copies apart and takes steps, as Watched::take() does.
+  void fly(Watched* body, int steps, int reference_every);
+  /// Adds the cases "residual", "momentum" and "energy growth" of all flights so far, of each method that flew.
   void report(Matrix* matrix, const std::string& name) const;
 
  private:
-  Method method_;
-  Worst residual_, drift_, growth_;
+  struct Kept {
+    int flights = 0;
+    Worst residual, drift, growth;
+  };
+  Kept direct_, iterative_;
 };
 
 inline constexpr double GROWTH_BOUND = 1e-6;
