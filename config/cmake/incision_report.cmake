@@ -1,46 +1,56 @@
-# The report's sections in test/report/<section>/: programs, or measure.py where a section drives others. The target
-# `report` builds them. ctest runs each with --quick and fails where a claim does not hold, then draws the report.
+# The report: what test/report/<section>/ measures, its claims, and the pages. ctest builds the target `report`, which is
+# no part of `tests`, measures each section quickly, as a fixture of the tests in <section>/claims.py, and draws the pages.
 add_custom_target(report DEPENDS incision_batch)
-add_dependencies(tests report)
 
-add_library(incision_findings STATIC EXCLUDE_FROM_ALL test/report/findings.cpp)
-incision_compile(incision_findings)
-target_include_directories(incision_findings PUBLIC "${PROJECT_SOURCE_DIR}/test")
-target_link_libraries(incision_findings PUBLIC nlohmann_json::nlohmann_json)
+add_library(incision_report STATIC EXCLUDE_FROM_ALL test/report/section.cpp)
+incision_compile(incision_report)
+target_include_directories(incision_report PUBLIC "${PROJECT_SOURCE_DIR}/test")
+target_link_libraries(incision_report PUBLIC nlohmann_json::nlohmann_json)
 
+set(report_sources "${PROJECT_SOURCE_DIR}/test/report")
 set(report_folder "${CMAKE_BINARY_DIR}/report")
-file(MAKE_DIRECTORY "${report_folder}/data")
 set(report_sections static calculix locking dynamic stability tool cost)
-
-# Where measure.py finds the programs, and what functions a stage has.
-set(report_environment
-  "INCISION_BATCH=$<TARGET_FILE:incision_batch>"
-  "INCISION_REPORT=${report_folder}"
-  "INCISION_OBJECTS=${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles")
 
 function(incision_report_program program library)
   add_executable(${program} EXCLUDE_FROM_ALL ${ARGN})
   incision_compile(${program})
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${report_folder}")
-  target_link_libraries(${program} PRIVATE ${library} incision_findings CHOLMOD::CHOLMOD)
+  target_link_libraries(${program} PRIVATE ${library} incision_report CHOLMOD::CHOLMOD)
   target_compile_definitions(${program} PRIVATE INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   add_dependencies(report ${program})
 endfunction()
 
+function(incision_report_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "SETS_UP" "COMMAND;NEEDS")
+  add_test(NAME full.report.${name} COMMAND ${test_COMMAND} WORKING_DIRECTORY "${report_sources}")
+  set_tests_properties(full.report.${name} PROPERTIES
+    LABELS "full;report" TIMEOUT 900 FIXTURES_SETUP "${test_SETS_UP}" FIXTURES_REQUIRED "${test_NEEDS}"
+    ENVIRONMENT "INCISION_BATCH=$<TARGET_FILE:incision_batch>;INCISION_PROGRAMS=${report_folder};INCISION_REPORT=${report_folder}/quick")
+endfunction()
+
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+incision_report_test(build SETS_UP report_programs
+  COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target report --parallel ${cores})
+
 foreach(section IN LISTS report_sections)
-  set(folder "${PROJECT_SOURCE_DIR}/test/report/${section}")
-  set(command "${folder}/measure.py")
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${report_sources}/${section}/*.cpp)
   if(sources)
     incision_report_program(report_${section} incision ${sources})
-    if(NOT EXISTS "${folder}/measure.py")
-      set(command $<TARGET_FILE:report_${section}>)
-    endif()
   endif()
-  add_test(NAME quick.report.${section}
-    COMMAND ${command} --quick --output "${report_folder}/data/${section}.json")
-  set_tests_properties(quick.report.${section} PROPERTIES
-    LABELS quick TIMEOUT 600 FIXTURES_SETUP report_data ENVIRONMENT "${report_environment}")
+  incision_report_test(${section}.measure SETS_UP report_${section} NEEDS report_programs
+    COMMAND "${report_sources}/measure.py" --quick "${report_folder}/quick" ${section})
+
+  set(file "${report_sources}/${section}/claims.py")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  file(STRINGS "${file}" lines REGEX "^(class|    def test_)" ENCODING UTF-8)
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^class ([A-Za-z]+)")
+      set(class ${CMAKE_MATCH_1})
+    elseif(line MATCHES "def test_([a-z0-9_]+)")
+      incision_report_test(${section}.${CMAKE_MATCH_1} NEEDS report_${section}
+        COMMAND /usr/bin/python3 -m unittest ${section}.claims.${class}.test_${CMAKE_MATCH_1})
+    endif()
+  endforeach()
 endforeach()
 
 # The node's part of the section `cost`, which leaves it out where there is no such program.
@@ -49,6 +59,6 @@ if(INCISION_ROS)
     test/report/cost/ros/markers.cpp test/report/cost/cost_run.cpp)
 endif()
 
-add_test(NAME quick.report.pages
-  COMMAND "${PROJECT_SOURCE_DIR}/test/report/report.py" "${report_folder}" ${report_sections})
-set_tests_properties(quick.report.pages PROPERTIES LABELS quick FIXTURES_REQUIRED report_data)
+list(TRANSFORM report_sections PREPEND report_ OUTPUT_VARIABLE report_fixtures)
+incision_report_test(pages NEEDS ${report_fixtures}
+  COMMAND "${report_sources}/report.py" "${report_folder}/quick" ${report_sections})

@@ -1,4 +1,4 @@
-"""One style for the report's plots, readable in grey, and its tables."""
+"""One style for the report's plots, readable in grey."""
 
 import contextlib
 
@@ -6,6 +6,7 @@ import matplotlib
 
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
 # Dark to light, each with a marker and a dash of its own, so that curves can be told apart without colour.
 COLOURS = ('#1b2a49', '#c1443c', '#2e8b7a', '#e0a030', '#7a5aa6', '#8a8a8a')
@@ -25,6 +26,13 @@ def curve(number):
     return {'color': COLOURS[k], 'marker': MARKERS[k], 'linestyle': DASHES[k], 'markersize': 5}
 
 
+def plain_numbers(axis, digits=(1, 2, 5)):
+    """Labels such as 20, 50, 100 on a logarithmic axis."""
+    axis.set_major_locator(LogLocator(subs=digits))
+    axis.set_major_formatter('{x:g}')
+    axis.set_minor_formatter(NullFormatter())
+
+
 class Plots:
     """Draws the plots of a section into a folder."""
 
@@ -34,17 +42,9 @@ class Plots:
 
     @contextlib.contextmanager
     def panels(self, name, count=1, width=PANEL[0], height=PANEL[1]):
-        """Axes of panels side by side; saved when the block ends. Show it by picture(name, ...)."""
+        """Axes of panels side by side; saved as SECTION_NAME.png when the block ends."""
         figure, axes = plt.subplots(1, count, squeeze=False, figsize=(count * width, height))
         yield list(axes[0])
         figure.tight_layout()
         figure.savefig(self.folder / f'{self.section}_{name}.png', dpi=DPI)
         plt.close(figure)
-
-    def picture(self, name, text):
-        return f'![{text}](plots/{self.section}_{name}.png)'
-
-
-def table(headings, rows):
-    """Markdown; cells are text."""
-    return '\n'.join('| ' + ' | '.join(cells) + ' |' for cells in [headings, ['---'] * len(headings), *rows])

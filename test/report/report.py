@@ -1,69 +1,40 @@
 #!/usr/bin/python3
-"""Writes report.md and its plots from what the sections measured.
+"""Writes FOLDER/report.md and FOLDER/plots/ from what was measured, FOLDER/data/SECTION.json.
 
 usage: report.py FOLDER SECTION...
 
-FOLDER/data/SECTION.json is what a section measured; one that was never measured is left out. The plots go to
-FOLDER/plots/. How a section shows its data is said in SECTION/section.py beside this file: TITLE, and render(data, draw)
-that returns the section's Markdown; draw is a Plots (plots.py).
+A section that was never measured is left out. Its text is SECTION/section.md beside this file, a template that text.py
+fills; its figures are SECTION/section.py: fields(data, draw) returns what the template names and the data has not, and
+draws the plots by a Plots (plots.py).
 """
 
-import datetime
-import importlib.util
+import importlib
 import json
-import os
 import pathlib
-import platform
-import re
 import sys
 
-from plots import Plots, table
+import text
+from plots import Plots
 
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-def load_section(name):
-    spec = importlib.util.spec_from_file_location(f'section_{name}', HERE / name / 'section.py')
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def processor():
-    text = pathlib.Path('/proc/cpuinfo').read_text(encoding='utf-8')
-    found = re.search(r'model name\s*: (.*)', text)
-    return found.group(1) if found else platform.machine()
-
-
-def claims_table(claims):
-    return table(['claim', 'measured', 'wanted', ''],
-                 [[c['claim'], c['measured'], c['wanted'], 'holds' if c['holds'] else '**fails**'] for c in claims])
+def rendered(folder, name):
+    data = json.loads((folder / 'data' / f'{name}.json').read_text(encoding='utf-8'))
+    fields = importlib.import_module(f'{name}.section').fields(data, Plots(folder / 'plots', name))
+    title, body = (HERE / name / 'section.md').read_text(encoding='utf-8').split('\n', 1)
+    measured = text.filled((HERE / 'measured.md').read_text(encoding='utf-8').strip(), data['measured'])
+    return '\n'.join([title, '', measured, text.filled(body, {**data, **fields})])
 
 
 def main(folder, names):
-    folder = pathlib.Path(folder)
-    lines = ['# Evidence: error against time, stability, and what a scene does not need', '',
-             'Written by `test/report/run.sh`; do not edit. Each section states what it measured, against what, and '
-             'what follows for the choice of settings.', '',
-             f'Drawn on {datetime.date.today()} on {os.cpu_count()} cores of an {processor()}. Times are wall times '
-             'there; claims never depend on them.', '']
-    for name in names:
-        path = folder / 'data' / f'{name}.json'
-        if not path.is_file():
-            continue
-        data = json.loads(path.read_text(encoding='utf-8'))
-        section = load_section(name)
-        lines += [f'## {section.TITLE}', '']
-        if data['quick']:
-            lines += ['A quick run: smaller meshes and fewer cases.', '']
-        lines += [section.render(data, Plots(folder / 'plots', name)), '']
-        if data['claims']:
-            lines += ['What is checked:', '', claims_table(data['claims']), '']
-    (folder / 'report.md').write_text('\n'.join(lines), encoding='utf-8')
+    sections = [rendered(folder, name) for name in names if (folder / 'data' / f'{name}.json').is_file()]
+    head = (HERE / 'head.md').read_text(encoding='utf-8')
+    (folder / 'report.md').write_text('\n'.join([head, *sections]), encoding='utf-8')
     print(f'Wrote {folder / "report.md"}')
 
 
 if __name__ == '__main__':
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2:])
+    main(pathlib.Path(sys.argv[1]), sys.argv[2:])

@@ -1,22 +1,25 @@
 #!/bin/bash
-# Installs what is missing, builds, measures and writes the report. See usage below.
+# Installs what is missing, builds, measures, checks the claims and writes the report. See usage below.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../launch/setup.sh"
 
 SECTIONS=(static calculix locking dynamic stability tool cost)
 
 usage() {
-  echo "usage: test/report/run.sh [--quick] [SECTION...]"
-  echo "  --quick  under five minutes, on smaller meshes; writes to build/report/ instead of test/report/"
-  echo "  SECTION  of ${SECTIONS[*]}; all unless some are named. The others keep what they measured last."
+  echo "usage: test/report/run.sh [--quick | --publish] [SECTION...]"
+  echo "  --quick    under five minutes, on smaller meshes; writes to build/report/quick/ instead of build/report/"
+  echo "  --publish  also replaces test/report/report.md and its plots, if all sections were measured"
+  echo "  SECTION    of ${SECTIONS[*]}; all unless some are named. The others keep what they measured last."
 }
 
-folder="$ROOT/test/report"
+export INCISION_REPORT="$BUILD/report"
 quick=()
+publish=
 chosen=()
 for argument in "$@"; do
   case $argument in
-    --quick) quick=(--quick) folder="$BUILD/report" ;;
+    --quick) quick=(--quick) INCISION_REPORT="$BUILD/report/quick" ;;
+    --publish) publish=1 ;;
     -h | --help) usage && exit ;;
     *)
       [[ " ${SECTIONS[*]} " == *" $argument "* ]] || { usage >&2 && exit 2; }
@@ -24,21 +27,27 @@ for argument in "$@"; do
       ;;
   esac
 done
+[[ $publish && ${#quick[@]} -gt 0 ]] && { usage >&2 && exit 2; }
 
 install_packages test
 configure "$BUILD" -DCATKIN_ENABLE_TESTING=ON "-DINCISION_WERROR=${INCISION_WERROR:-OFF}"
 compile "$BUILD" report
-export INCISION_BATCH="$BUILD/devel/lib/incision/incision_batch"
-export INCISION_REPORT="$BUILD/report" INCISION_OBJECTS="$BUILD/CMakeFiles"
+export INCISION_BATCH="$BUILD/devel/lib/incision/incision_batch" INCISION_PROGRAMS="$BUILD/report"
 
+cd "$ROOT/test/report"
 status=0
-mkdir -p "$folder/data"
 for section in "${chosen[@]:-${SECTIONS[@]}}"; do
   echo "Section $section"
-  program="$ROOT/test/report/$section/measure.py"
-  [[ -x $program ]] || program="$BUILD/report/report_$section"
-  "$program" "${quick[@]}" --output "$folder/data/$section.json" || status=1
+  ./measure.py "${quick[@]}" "$INCISION_REPORT" "$section"
+  /usr/bin/python3 -m unittest "$section.claims" || status=1
 done
-"$ROOT/test/report/report.py" "$folder" "${SECTIONS[@]}"
+./report.py "$INCISION_REPORT" "${SECTIONS[@]}"
+if [[ $publish ]]; then
+  for section in "${SECTIONS[@]}"; do
+    [[ -f $INCISION_REPORT/data/$section.json ]] || fail "$section was never measured, so nothing is published"
+  done
+  cp "$INCISION_REPORT/report.md" .
+  cp "$INCISION_REPORT"/plots/*.png plots/
+fi
 ((status == 0)) || echo "test/report/run.sh: some claims do not hold, see above" >&2
 exit $status

@@ -11,14 +11,15 @@ import numpy as np
 THREADS = '2'
 
 
-def run(body, young, poisson, held, forces=None, density=None, modes=0):
+def run(body, young, poisson, held, forces=None, density=None, modes=0, moved=None):
     """A linear static solve under forces {(node, direction): N}, or the first natural frequencies.
 
-    held: {node: directions}. Returns a dict of `u` [m] by node and `energy` [J], or `frequencies` [Hz]; and `ms`.
+    held: {node: directions}; moved: {(node, direction): m}, how far some of these go. Returns a dict of `u` [m] by
+    node and `energy` [J], or `frequencies` [Hz]; and `ms`.
     """
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, 'job.inp'), 'w', encoding='ascii') as deck:
-            deck.write('\n'.join(deck_lines(body, young, poisson, held, forces, density, modes)) + '\n')
+            deck.write('\n'.join(deck_lines(body, young, poisson, held, forces, density, modes, moved or {})) + '\n')
         start = time.monotonic()
         done = subprocess.run(['ccx', 'job'], cwd=folder, env={**os.environ, 'OMP_NUM_THREADS': THREADS},
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
@@ -30,7 +31,7 @@ def run(body, young, poisson, held, forces=None, density=None, modes=0):
                                  read_static(answer.read(), len(body.nodes)))}
 
 
-def deck_lines(body, young, poisson, held, forces, density, modes):
+def deck_lines(body, young, poisson, held, forces, density, modes, moved):
     yield '*NODE, NSET=ALL'
     yield from (f'{n + 1}, {x:.12e}, {y:.12e}, {z:.12e}' for n, (x, y, z) in enumerate(body.nodes))
     yield from element_lines(body, young, poisson, density)
@@ -40,7 +41,12 @@ def deck_lines(body, young, poisson, held, forces, density, modes):
     if modes:
         yield from ('*FREQUENCY', str(modes))
     else:
-        yield from ('*STATIC', '*CLOAD')
+        yield '*STATIC'
+        if moved:
+            yield '*BOUNDARY'
+        yield from (f'{n + 1}, {d + 1}, {d + 1}, {way:.12e}' for (n, d), way in moved.items())
+        if forces:
+            yield '*CLOAD'
         yield from (f'{n + 1}, {d + 1}, {force:.12e}' for (n, d), force in forces.items())
         yield from ('*NODE PRINT, NSET=ALL', 'U', '*EL PRINT, ELSET=ALL, TOTALS=ONLY', 'ELSE')
     yield '*END STEP'

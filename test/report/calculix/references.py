@@ -3,9 +3,9 @@
 import pathlib
 
 import numpy as np
-from bodies import bricks, gmsh, quadratic
-from ccx import run
-from problems import E, H, HALF, L, STRESS, TENSION, deflection, mean_intensity, penny_volume
+from calculix.bodies import bricks, gmsh, quadratic
+from calculix.ccx import run
+from calculix.problems import E, H, HALF, L, STRESS, TENSION, deflection, mean_intensity, penny_volume
 
 HERE = pathlib.Path(__file__).resolve().parent
 

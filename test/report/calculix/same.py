@@ -7,10 +7,10 @@ import pathlib
 import subprocess
 
 import numpy as np
-from bodies import bricks, cut_through, gmsh, grid
-from ccx import run
-from problems import E, H, L, STRESS, timoshenko_frequency
-from references import clamp
+from calculix.bodies import bricks, cut_through, gmsh, grid
+from calculix.ccx import run
+from calculix.problems import E, H, L, STRESS, timoshenko_frequency
+from calculix.references import clamp
 
 GEOMETRY = pathlib.Path(__file__).resolve().parent.parent / 'static' / 'bar.geo'
 POISSON, DENSITY = 0.3, 1000.0

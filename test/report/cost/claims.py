@@ -1,89 +1,89 @@
-"""What must hold of the cost, on any machine."""
+import re
+import unittest
+
+from measured import measured
+
+CASES = measured('cost')['cases']
+HAS_ROS = 'markers' in CASES
 
 # Instructions in a step that a feature may take which the scene has and which has nothing to do, as a share of all.
 IDLE_SHARE = 0.3
 
+ROTATIONS, FACTORISATIONS, MASS_PRODUCTS, MESSAGES = 'polarRotation', '::factorise', 'multiplyMass', '::toMarkers'
+
 TOUCHING = tuple((feature, state) for feature in ('contact', 'self-contact') for state in ('idle', 'working'))
 DRAWN = ('markers', 'working')  # the first message asks the mesh for its surface
 
-# Of each stage: the cases that run it, by feature and state. In all others it must not run.
+# Of each of these: what the names of its functions have in them, and the scenes, by feature and state, that run it.
 USERS = {
-    'cut': (('cracks', 'working'), ('fracture', 'working'), ('tool', 'working'), DRAWN),
-    'surface': (*TOUCHING, DRAWN),
-    'fracture': (('fracture', 'idle'), ('fracture', 'working')),
-    'contact': TOUCHING,
-    'tool': (('tool', 'idle'), ('tool', 'working')),
+    'cutting': (('CutMesh::', 'Polytope'), (('cracks', 'working'), ('fracture', 'working'), ('tool', 'working'), DRAWN)),
+    'surface': (('::interpolate', *(('[sS]urface',) if HAS_ROS else ())), (*TOUCHING, DRAWN)),
+    'fracture': (('CrackGrowth', 'SmoothedStress', 'Cohesion'), (('fracture', 'idle'), ('fracture', 'working'))),
+    'contact': (('::Contact', 'Fragment'), TOUCHING),
+    'tool': (('CuttingEdge', 'Stroke', 'Ties'), (('tool', 'idle'), ('tool', 'working'))),
 }
 
-# Places and poses, which the tool shares with the obstacles.
-SHARED = ('contact/pose',)
+
+def name_of(function):
+    """Without arguments and what it returns; of a template, with the names it is made for."""
+    return function.replace('(anonymous namespace)::', '').split('(')[0]
 
 
-def inside(case, stage):
-    """Instructions a step in the functions of a stage, of one of its files, or of a name."""
-    return sum(count for name, count in case['functions'].items()
-               if (name == stage or name.startswith(f'{stage}/')) and name not in SHARED)
+def inside(case, word):
+    """Instructions a step in the functions with such names."""
+    return sum(count for function, count in case['functions'].items() if re.search(word, name_of(function)))
 
 
-def equals(claim, value, wanted):
-    return {'claim': claim, 'measured': f'{value:g}', 'wanted': f'{wanted:g}', 'holds': value == wanted}
+class Cost(unittest.TestCase):
+    def only(self, word, without, having):
+        """Functions run in the one case and not in the other."""
+        self.assertEqual(inside(CASES[without], word), 0)
+        self.assertGreater(inside(CASES[having], word), 0)
 
+    def test_absent_features_run_nothing(self):
+        for feature, (words, users) in USERS.items():
+            for case in CASES.values():
+                with self.subTest(f"{feature}, where there is {case['feature']}: {case['text']}"):
+                    instructions = sum(inside(case, word) for word in words)
+                    if (case['feature'], case['state']) in users:
+                        self.assertGreater(instructions, 0)
+                    else:
+                        self.assertEqual(instructions, 0)
 
-def above(claim, value, bound):
-    return {'claim': claim, 'measured': f'{value:.3g}', 'wanted': f'> {bound:g}', 'holds': value > bound}
+    def test_names_of_features_are_those_of_functions_that_run(self):
+        for words, users in USERS.values():
+            using = [case for case in CASES.values() if (case['feature'], case['state']) in users]
+            for word in words:
+                self.assertGreater(max(inside(case, word) for case in using), 0, word)
 
+    def test_linear_steps_extract_no_rotations(self):
+        self.only(ROTATIONS, 'linear', 'warped')
 
-def below(claim, value, bound):
-    return {'claim': claim, 'measured': f'{value:.3g}', 'wanted': f'< {bound:g}', 'holds': value < bound}
+    def test_linear_steps_factorise_nothing(self):
+        self.only(FACTORISATIONS, 'linear', 'warped')
 
+    def test_lumped_mass_multiplies_by_no_matrix(self):
+        self.only(MASS_PRODUCTS, 'plain', 'consistent')
 
-def nothing_runs(cases):
-    """A stage that the scene does not ask for does not run; where it is asked for, that is seen."""
-    for stage, users in USERS.items():
-        using = [case for case in cases.values() if (case['feature'], case['state']) in users]
-        others = [case for case in cases.values() if case not in using]
-        yield equals(f'instructions a step in `src/{stage}/`, the most of {len(others)} scenes that do not use it',
-                     max(inside(case, stage) for case in others), 0)
-        yield above(f'the same, the least of {len(using)} scenes that do', min(inside(case, stage) for case in using),
-                    0)
+    def test_idle_features_allocate_nothing(self):
+        quiet = [case for case in CASES.values() if case['state'] != 'working' and case['feature'] != 'markers']
+        self.assertGreaterEqual(len(quiet), 10)
+        for case in quiet:
+            self.assertEqual(case['allocations'], 0, case['text'])
 
+    def test_cuts_that_wait_cost_nothing(self):
+        self.assertLess(abs(CASES['cut waits']['instructions'] - CASES['plain']['instructions']), 1000)
 
-def linear(cases):
-    for name, text in (('fem/rotation', 'extract rotations'), ('factorisation', 'factorise')):
-        yield equals(f'without warping: instructions a step that {text}', inside(cases['linear'], name), 0)
-        yield above('the same, with warping', inside(cases['warped'], name), 0)
+    def test_fracture_uses_the_rotations_of_the_step(self):
+        self.assertGreater(inside(CASES['plain'], ROTATIONS), 0)
+        self.assertEqual(inside(CASES['fracture waits'], ROTATIONS), inside(CASES['plain'], ROTATIONS))
 
+    def test_idle_features_cost_little(self):
+        for key in ('fracture waits', 'ground below', 'one piece', 'tool still', 'tool away'):
+            self.assertLess(CASES[key]['instructions'], (1 + IDLE_SHARE) * CASES['plain']['instructions'], key)
 
-def lumped(cases):
-    yield equals('with a lumped mass: instructions a step that multiply by a mass matrix',
-                 inside(cases['plain'], 'consistent mass'), 0)
-    yield above('the same, with a consistent mass', inside(cases['consistent'], 'consistent mass'), 0)
-
-
-def idle(cases):
-    quiet = [case for case in cases.values() if case['state'] != 'working' and case['feature'] != 'markers']
-    yield equals(f'allocations a step, the most of {len(quiet)} scenes in which no feature is at work',
-                 max(case['allocations'] for case in quiet), 0)
-    plain = cases['plain']['instructions']
-    yield below('cuts that have not come yet: instructions a step above none',
-                abs(cases['cut waits']['instructions'] - plain), 1000)
-    yield equals('fracture, idle: instructions a step that extract rotations, above those without',
-                 inside(cases['fracture waits'], 'fem/rotation') - inside(cases['plain'], 'fem/rotation'), 0)
-    for key in ('fracture waits', 'ground below', 'one piece', 'tool still', 'tool away'):
-        case = cases[key]
-        yield below(f"{case['feature']}, {case['text']}: share by which instructions grow",
-                    case['instructions'] / plain - 1, IDLE_SHARE)
-
-
-def markers(cases):
-    for key in ('no markers', 'nobody listens'):
-        yield equals(f"markers, {cases[key]['text']}: instructions a step that build messages",
-                     inside(cases[key], 'ros/markers'), 0)
-    yield above('the same, with a subscriber', inside(cases['markers'], 'ros/markers'), 0)
-    yield below('markers, no subscriber: instructions a step above those of marker_rate 0',
-                cases['nobody listens']['instructions'] - cases['no markers']['instructions'], 10000)
-
-
-def check(cases):
-    return [*nothing_runs(cases), *linear(cases), *lumped(cases), *idle(cases),
-            *(markers(cases) if 'markers' in cases else ())]
+    @unittest.skipUnless(HAS_ROS, 'the node is not built')
+    def test_markers_without_a_subscriber_cost_nothing(self):
+        self.only(MESSAGES, 'no markers', 'markers')
+        self.only(MESSAGES, 'nobody listens', 'markers')
+        self.assertLess(CASES['nobody listens']['instructions'], CASES['no markers']['instructions'] + 10000)

@@ -1,11 +1,10 @@
 // Error against time of moving bars: integrator, step, solver, tolerance, mass, warping, mesh.
-#include <algorithm>
 #include <cmath>
 
 #include "report/clock.h"
 #include "report/dynamic/bars.h"
 #include "report/dynamic/oscillation.h"
-#include "report/findings.h"
+#include "report/section.h"
 
 namespace incision::report {
 namespace {
@@ -69,50 +68,20 @@ json curvesOf(const Bar& bar, const Run& reference, const std::vector<Variant>& 
   return curves;
 }
 
-double errorAt(const json& curve, double time_step) {
-  for (const json& at : curve["points"])
-    if (at["time_step"] == time_step && !at["error"].is_null()) return at["error"];
-  return std::numeric_limits<double>::infinity();
-}
-
-/// Of the two smallest steps.
-double orderOf(const json& curve) {
-  const json& points = curve["points"];
-  const json &coarse = points[points.size() - 2], &fine = points[points.size() - 1];
-  return std::log(coarse["error"].get<double>() / fine["error"].get<double>()) /
-         std::log(coarse["time_step"].get<double>() / fine["time_step"].get<double>());
-}
-
 /// One problem, a curve for each integrator.
-json integrators(const Bar& bar, const Effort& effort, Findings* findings) {
+json integrators(const Bar& bar, const Effort& effort) {
   const Run reference = referenceOf(bar, sdirk2Scheme(), effort.reference_step);
   const Run other = referenceOf(bar, bdf2Scheme(), effort.reference_step);
   std::vector<Variant> variants;
   for (const Scheme& scheme : allSchemes()) variants.push_back({scheme.name, scheme, Choice()});
-  const json curves = curvesOf(bar, reference, variants, effort);
-  const json &euler = curves[0], &bdf2 = curves[1], &newton = curves[2];
-  double growth = 0;
-  for (const json& at : bdf2["points"])
-    if (at["time_step"] <= 0.02) growth = std::max(growth, at["energy_growth"].get<double>());
-  if (bar.gravity == 0)
-    findings->claimBelow("BDF2, " + bar.name + " bar, dt up to 20 ms: energy gained, as a share", growth, 1e-3);
-  if (bar.name == "swinging" && bar.young_modulus == 1e6) {
-    findings->claimAbove("Swinging bar, dt = 5 ms: error of Euler over that of BDF2",
-                         errorAt(euler, 0.005) / errorAt(bdf2, 0.005), 5);
-    findings->claimAbove("Swinging bar, dt = 5 ms: error with two Newton iterations over that with one",
-                         errorAt(newton, 0.005) / errorAt(euler, 0.005), 0.95);
-    findings->claimAbove("Swinging bar: order of Euler", orderOf(euler), 0.8);
-  }
-  if (bar.name == "spinning" && bar.young_modulus == 1e6)
-    findings->claimAbove("Spinning bar: order of BDF2", orderOf(bdf2), 1.8);
   return {{"name", bar.name},
           {"young_modulus", bar.young_modulus},
           {"references_differ", errorAgainst(reference, CELLS, other, CELLS, CELLS)},
-          {"curves", curves}};
+          {"curves", curvesOf(bar, reference, variants, effort)}};
 }
 
 /// One problem and integrator, a curve for each solver and tolerance.
-json solvers(const Bar& bar, const Scheme& scheme, const Effort& effort, Findings* findings) {
+json solvers(const Bar& bar, const Scheme& scheme, const Effort& effort) {
   const Run reference = referenceOf(bar, sdirk2Scheme(), effort.reference_step);
   Choice choice;
   choice.method = Method::DIRECT;
@@ -124,13 +93,7 @@ json solvers(const Bar& bar, const Scheme& scheme, const Effort& effort, Finding
     std::snprintf(name, sizeof name, "iterative, %.0e", tolerance);
     variants.push_back({name, scheme, choice});
   }
-  const json curves = curvesOf(bar, reference, variants, effort);
-  double worst = 0;
-  for (const double time_step : effort.time_steps)
-    worst = std::max(worst, std::abs(errorAt(curves[2], time_step) / errorAt(curves[0], time_step) - 1));
-  findings->claimBelow(scheme.name + ", " + bar.name + " bar: error at a tolerance of 1e-4 against direct, relative",
-                       worst, 0.05);
-  return {{"name", bar.name}, {"scheme", scheme.name}, {"curves", curves}};
+  return {{"scheme", scheme.name}, {"curves", curvesOf(bar, reference, variants, effort)}};
 }
 
 /// Error of mesh and step together, against a finer mesh: a curve for each kind of mass, and one without warping.
@@ -154,28 +117,23 @@ json meshes(const Bar& bar, bool quick) {
   add("lumped mass", Mass::LUMPED, true);
   add("consistent mass", Mass::CONSISTENT, true);
   add("without warping", Mass::LUMPED, false);
-  return {{"name", bar.name}, {"finest", finest}, {"time_step", TIME_STEP}, {"curves", curves}};
+  return {{"finest", finest}, {"time_step", TIME_STEP}, {"curves", curves}};
 }
 
-void measure(Findings* findings) {
-  const Effort effort = effortOf(findings->quick());
-  json& data = findings->data();
-  data["cells"] = CELLS;
-  data["reference_step"] = effort.reference_step;
-  data["oscillation"] = freeOscillation(findings);
+void measure(bool quick, json* data) {
+  const Effort effort = effortOf(quick);
+  (*data)["cells"] = CELLS;
+  (*data)["reference_step"] = effort.reference_step;
+  (*data)["oscillation"] = freeOscillation();
   std::vector<Bar> bars = {swingingBar(1e6), spinningBar(1e6)};
-  if (!findings->quick()) bars.insert(bars.end(), {twistingBar(), swingingBar(1e7), spinningBar(1e8)});
-  for (const Bar& bar : bars) data["integrators"].push_back(integrators(bar, effort, findings));
-  data["solvers"].push_back(solvers(swingingBar(1e6), eulerScheme(), effort, findings));
-  data["solvers"].push_back(solvers(swingingBar(1e6), bdf2Scheme(), effort, findings));
-  data["meshes"].push_back(meshes(swingingBar(1e6), findings->quick()));
+  if (!quick) bars.insert(bars.end(), {twistingBar(), swingingBar(1e7), spinningBar(1e8)});
+  for (const Bar& bar : bars) (*data)["integrators"].push_back(integrators(bar, effort));
+  for (const Scheme& scheme : {eulerScheme(), bdf2Scheme()})
+    (*data)["solvers"].push_back(solvers(swingingBar(1e6), scheme, effort));
+  (*data)["meshes"].push_back(meshes(swingingBar(1e6), quick));
 }
 
 }  // namespace
 }  // namespace incision::report
 
-int main(int argc, char** argv) {
-  incision::report::Findings findings(argc, argv);
-  incision::report::measure(&findings);
-  return findings.write();
-}
+int main(int argc, char** argv) { return incision::report::writeSection(argc, argv, incision::report::measure); }

@@ -82,23 +82,21 @@ nlohmann::json afterAPeriod(Complex factor, double phase_step) {
 
 }  // namespace
 
-nlohmann::json freeOscillation(Findings* findings) {
+nlohmann::json freeOscillation() {
   const SwingingMode mode;
   nlohmann::json curves = nlohmann::json::array();
-  double worst = 0;
   for (const Scheme& scheme : {eulerScheme(), bdf2Scheme(), midpointScheme(), sdirk2Scheme()}) {
     nlohmann::json points = nlohmann::json::array();
     for (const double share : {0.1, 0.05, 0.02, 0.01, 0.005}) {
       const double phase_step = 2 * M_PI * share;
       const Complex exact = formula(scheme.name, {0, phase_step}), found = measured(mode, scheme, phase_step);
-      worst = std::max(worst, std::abs(found / exact - 1.0));
       points.push_back({{"step_over_period", share},
+                        {"off", std::abs(found / exact - 1.0)},
                         {"measured", afterAPeriod(found, phase_step)},
                         {"formula", afterAPeriod(exact, phase_step)}});
     }
     curves.push_back({{"name", scheme.name}, {"points", points}});
   }
-  findings->claimBelow("Free oscillation in one mode, a step's factor against the formula's, relative", worst, 1e-8);
   return curves;
 }
 

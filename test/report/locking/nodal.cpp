@@ -1,7 +1,6 @@
 #include "report/locking/nodal.h"
 
 #include "incision/solver/sparse_cholesky.h"
-#include "report/clock.h"
 #include "report/locking/specimen.h"
 
 namespace incision::report {
@@ -34,7 +33,7 @@ Sparse meanDilatations(const Rig& rig, const std::vector<int>& copies, double la
 }
 
 /// Solves K u = f by the core's Cholesky.
-Eigen::VectorXd solve(const Sparse& K, const Eigen::VectorXd& f, double* milliseconds) {
+Eigen::VectorXd solve(const Sparse& K, const Eigen::VectorXd& f) {
   LowerTriangle lower;
   lower.column_start.push_back(0);
   std::vector<double> values, x;
@@ -48,9 +47,7 @@ Eigen::VectorXd solve(const Sparse& K, const Eigen::VectorXd& f, double* millise
   }
   SparseCholesky cholesky;
   cholesky.analyse(lower, 3);
-  const Clock clock;
   if (!cholesky.factorise(values)) throw std::runtime_error("the matrix is not positive definite");
-  *milliseconds = clock.ms();
   cholesky.solve({f.begin(), f.end()}, &x);
   return Eigen::Map<const Eigen::VectorXd>(x.data(), f.size());
 }
@@ -73,7 +70,7 @@ NodalAverage nodalAverage(const Problem& problem, const TetMesh& mesh, double po
   for (std::size_t k = 0; k < copies.size(); ++k) f.segment<3>(3 * static_cast<int>(k)) = forces[copies[k]];
   for (const Vec3& nodal : forces) force += nodal;
   NodalAverage result{};
-  result.answer = f.dot(solve(K, f, &result.milliseconds)) / force.norm();
+  result.answer = f.dot(solve(K, f)) / force.norm();
   result.blocks = static_cast<long>(K.nonZeros()) / BLOCK_SIZE;
   return result;
 }

@@ -11,16 +11,13 @@ namespace incision::report {
 
 inline constexpr double YOUNG_MODULUS = 1e5;  ///< [Pa]; errors do not depend on it
 
-/// A box of tissue under a small load, and the one number that is asked of it. What acts does so on the side of the
-/// box with the largest coordinate of an axis.
+/// A box of tissue under a small load, and the one number that is asked of it.
 struct Problem {
   std::string name;
-  Vec3 size, origin;              ///< of the box [m]
-  std::array<int, 3> cells;       ///< of the coarsest grid: cubes
-  std::array<bool, 3> symmetric;  ///< to the plane through 0 across each axis
-  int axis;
-  std::vector<Hold> holds;  ///< velocities are displacements [m]
-  std::vector<Load> loads;  ///< one or none
+  Vec3 size, origin;         ///< of the box [m]
+  std::array<int, 3> cells;  ///< of the coarsest grid: cubes
+  std::vector<Hold> holds;   ///< velocities are displacements [m]
+  std::vector<Load> loads;   ///< one or none
 
   /// Whether a plate presses and its force is asked; else the displacement along the load, its mean over the load.
   bool plate() const { return loads.empty(); }
@@ -35,8 +32,5 @@ Problem cantilever();
 Problem heldBlock();
 /// On a plate that it sticks to, pressed evenly on a quarter of its top.
 Problem pressedBlock();
-
-/// A cantilever of half the depth: what is left of the first, on either side, when a plane has split it.
-Problem halfCantilever();
 
 }  // namespace incision::report

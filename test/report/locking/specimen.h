@@ -13,7 +13,6 @@ class Specimen : public Rig {
 
   /// What the problem asks [m or N].
   double answer() const;
-  int freedoms() const { return 3 * static_cast<int>(freeCopies().size()); }
   /// Blocks in the matrix.
   int blocks() const;
 

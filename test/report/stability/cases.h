@@ -2,36 +2,44 @@
 
 #include <string>
 
-#include "report/findings.h"
+#include "report/section.h"
 
 namespace incision::report {
 
-/// The matrix of cases, in groups. What passes in a group becomes one claim.
+/// The matrix of cases, in groups.
 class Matrix {
  public:
-  explicit Matrix(Findings* findings) : findings_(findings) { findings->data()["cases"] = nlohmann::json::array(); }
+  Matrix(bool quick, nlohmann::json* data) : quick_(quick), data_(data) {}
 
   /// The cases from here on belong to this group.
-  void begin(const std::string& group);
+  void begin(const std::string& group) { group_ = group; }
 
   /// A case passes when its figure is at most the bound; `reason` says where that comes from.
-  void add(const std::string& name, double figure, double bound, const std::string& reason);
+  void add(const std::string& name, double figure, double bound, const std::string& reason) {
+    list(name, figure, bound, reason, false);
+  }
   /// A case that is known to fail: it is listed with its figure, and nothing is claimed of it.
-  void addLimit(const std::string& name, double figure, double bound, const std::string& reason);
+  void addLimit(const std::string& name, double figure, double bound, const std::string& reason) {
+    list(name, figure, bound, reason, true);
+  }
 
-  /// Ends a group: claims that all of its cases but the limits pass.
-  void end();
-
-  bool quick() const { return findings_->quick(); }
-  nlohmann::json& data() { return findings_->data(); }
+  bool quick() const { return quick_; }
+  nlohmann::json& data() { return *data_; }
 
  private:
-  void list(const std::string& name, double figure, double bound, const std::string& reason, bool limit);
+  void list(const std::string& name, double figure, double bound, const std::string& reason, bool limit) {
+    (*data_)["cases"].push_back({{"group", group_},
+                                 {"name", name},
+                                 {"figure", figure},
+                                 {"bound", bound},
+                                 {"reason", reason},
+                                 {"limit", limit},
+                                 {"passes", figure <= bound}});
+  }
 
-  Findings* findings_;
-  std::string group_, worst_name_;
-  double worst_ = 0;
-  int count_ = 0;
+  bool quick_;
+  nlohmann::json* data_;
+  std::string group_;
 };
 
 }  // namespace incision::report

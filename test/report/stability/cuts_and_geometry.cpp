@@ -42,7 +42,7 @@ void randomPlanes(Matrix* matrix) {
   const GridSettings box = {{3, 3, 2}, Vec3(1, 0.9, 0.7), Vec3(-0.2, 0.1, 0)};
   test::Random random(91);
   Worst volume;
-  Flights direct(Method::DIRECT), iterative(Method::ITERATIVE);
+  Flights flights;
   int most = 0;
   for (const int count : {5, 10, 20, 40}) {
     int wrong = 0;
@@ -60,9 +60,7 @@ void randomPlanes(Matrix* matrix) {
       wrong += std::abs(wholePieces(body) - zonesOfPlanes(box, planes));
       most = std::max(most, body.pieces());
       volume.add(volumeError(body.mesh));
-      throwApart(&body);
-      body.take(5, 5);
-      (method == Method::DIRECT ? direct : iterative).add(body);
+      flights.fly(&body, 5, 5);
     }
     const std::string name =
         std::to_string(count) + " planes, " + std::to_string(runs) + " times: pieces too many or too few";
@@ -74,8 +72,7 @@ void randomPlanes(Matrix* matrix) {
   }
   matrix->add("volume of an element's parts, error", volume.figure(), 1e-12, "they fill the element");
   const std::string flight = "flight of up to " + std::to_string(most) + " pieces";
-  direct.report(matrix, flight);
-  iterative.report(matrix, flight);
+  flights.report(matrix, flight);
 }
 
 /// Through nodes, along edges and along faces, in all the ways that small whole numbers give.
@@ -85,7 +82,7 @@ void wholeNumbers(Matrix* matrix) {
   test::Random random(24);
   const auto whole = [&](int low, int count) { return static_cast<double>(low + random.index(count)); };
   int wrong = 0;
-  Flights direct(Method::DIRECT), iterative(Method::ITERATIVE);
+  Flights flights;
   for (int run = 0; run < runs; ++run) {
     const Method method = METHODS[run % 2];
     Watched body(gridMesh(box), freeBody(method));
@@ -97,20 +94,17 @@ void wholeNumbers(Matrix* matrix) {
       body.cut(planes.back());
     }
     wrong += std::abs(body.pieces() - zonesBySampling(box, planes, matrix->quick() ? 20000 : 100000));
-    throwApart(&body);
-    body.take(10, 10);
-    (method == Method::DIRECT ? direct : iterative).add(body);
+    flights.fly(&body, 10, 10);
   }
   matrix->add("6 planes through nodes, edges and faces, " + std::to_string(runs) + " times: pieces too many or too few",
               wrong, 0, "zones told apart by random points");
-  direct.report(matrix, "flight of these");
-  iterative.report(matrix, "flight of these");
+  flights.report(matrix, "flight of these");
 }
 
 /// Four parallel planes a hair apart. Beyond SNAP of an edge they are four, within they are one.
 void hairApart(Matrix* matrix) {
   int wrong = 0;
-  Flights direct(Method::DIRECT), iterative(Method::ITERATIVE);
+  Flights flights;
   nlohmann::json& found = matrix->data()["hair"] = nlohmann::json::array();
   for (const Method method : METHODS)
     for (double gap = 1e-1; gap > 1e-15; gap /= 10) {
@@ -122,14 +116,11 @@ void hairApart(Matrix* matrix) {
       const int least = gap > SNAP * 0.8 ? 5 : 2, most = 3 * gap < SNAP * 0.2 ? 2 : 5;
       wrong += body.pieces() < least || body.pieces() > most;
       found.push_back({{"gap", gap}, {"pieces", body.pieces()}, {"method", nameOf(method)}});
-      throwApart(&body);
-      body.take(20, 1);
-      (method == Method::DIRECT ? direct : iterative).add(body);
+      flights.fly(&body, 20, 1);
     }
   matrix->add("four planes 1e-1 to 1e-15 m apart: gaps with a wrong count of pieces", wrong, 0,
               "5 beyond 1e-4 of an edge, 2 well within");
-  direct.report(matrix, "flight of these");
-  iterative.report(matrix, "flight of these");
+  flights.report(matrix, "flight of these");
 }
 
 /// Two planes that cross in the body at a small angle. Where they are nearer than SNAP of an edge they are one, and
@@ -175,15 +166,12 @@ void theSameAgain(Matrix* matrix) {
 void cutsAndGeometry(Matrix* matrix) {
   matrix->begin("Random planes against geometry");
   randomPlanes(matrix);
-  matrix->end();
   matrix->begin("Planes through nodes, edges and faces");
   wholeNumbers(matrix);
-  matrix->end();
   matrix->begin("Cuts a hair apart, and again");
   hairApart(matrix);
   smallAngles(matrix);
   theSameAgain(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

@@ -66,7 +66,7 @@ void badElements(Matrix* matrix) {
         body.take(30, 2);
         const Watch& seen = body.seen();
         if (s > 0.99 * CLAIMED) {
-          residual.add(seen.finite ? seen.residual_share : -1);
+          residual.add(seen.residualIfFinite());
           growth.add(seen.kinetic_growth);
           drift[method == Method::ITERATIVE].add(seen.drift);
         }
@@ -78,8 +78,8 @@ void badElements(Matrix* matrix) {
                         {"growth", seen.kinetic_growth},
                         {"iterations", seen.iterations}});
       }
-    matrix->add(bad.name + " of 1e-1 to 1e-5: residual", residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-    matrix->add(bad.name + ": growth of the kinetic energy", growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+    addResidual(matrix, bad.name + " of 1e-1 to 1e-5: residual", residual.figure());
+    addGrowth(matrix, bad.name + ": growth of the kinetic energy", growth.figure());
     matrix->add(bad.name + ": momentum, direct", drift[0].figure(), 1e-6, "rounding of forces, some E ε/(thinness)²");
     matrix->addLimit(bad.name + ": momentum, iterative", drift[1].figure(), 1e-6, "the tolerance, over mass × speed");
   }
@@ -113,8 +113,7 @@ void stiffness(Matrix* matrix) {
                       {"iterations", seen.iterations}});
     }
     const std::string with = std::string(", ") + nameOf(method);
-    matrix->add("Δt²E/(ρh²) from 1 to 1e16: residual of the steps taken" + with, residual.figure(), RESIDUAL_BOUND,
-                RESIDUAL_REASON);
+    addResidual(matrix, "Δt²E/(ρh²) from 1 to 1e16: residual of the steps taken" + with, residual.figure());
     matrix->add("up to 1e14: growth of the kinetic energy" + with, growth.figure(), GROWTH_BOUND, "no force acts");
     matrix->add("up to 1e3: momentum" + with, drift.figure(), method == Method::DIRECT ? 1e-11 : 1e-5,
                 "rounding; ten times the tolerance, over mass × speed");
@@ -129,10 +128,8 @@ void stiffness(Matrix* matrix) {
 void extremeElements(Matrix* matrix) {
   matrix->begin("Flat, needle and sliver elements");
   badElements(matrix);
-  matrix->end();
   matrix->begin("Free bodies of any stiffness");
   stiffness(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

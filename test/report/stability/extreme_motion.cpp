@@ -178,16 +178,15 @@ void damping(Matrix* matrix) {
         throwApart(&body);
         const Vec3 momentum = body.momentum();
         body.take(50, 2);
-        residual.add(body.seen().finite ? body.seen().residual_share : -1);
+        residual.add(body.seen().residualIfFinite());
         growth.add(body.seen().growth);
         const Vec3 expected = momentum * std::pow(1 + alpha * settings.solver.time_step, -50);
         const double error = (body.momentum() - expected).norm() / body.mass();
         (beta > 1 ? drift : braking).add(error);
       }
     const std::string with = std::string(", ") + nameOf(method);
-    matrix->add("damping α 0 to 1e9 1/s × β 0 to 1e6 s: residual" + with, residual.figure(), RESIDUAL_BOUND,
-                RESIDUAL_REASON);
-    matrix->add("damping: energy growth" + with, growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+    addResidual(matrix, "damping α 0 to 1e9 1/s × β 0 to 1e6 s: residual" + with, residual.figure());
+    addGrowth(matrix, "damping: energy growth" + with, growth.figure());
     const double bound = method == Method::DIRECT ? 1e-11 : 1e-6;
     matrix->add("momentum is (1+αΔt)⁻ⁿ of the first, β ≤ 1 s, error over mass × 1 m/s" + with, braking.figure(), bound,
                 "rounding; the tolerance");
@@ -201,16 +200,12 @@ void damping(Matrix* matrix) {
 void extremeMotion(Matrix* matrix) {
   matrix->begin("Spinning");
   spinning(matrix);
-  matrix->end();
   matrix->begin("Dead tension on a free bar");
   deadTension(matrix);
-  matrix->end();
   matrix->begin("Impact");
   impact(matrix);
-  matrix->end();
   matrix->begin("Undamped to overdamped");
   damping(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

@@ -88,10 +88,10 @@ void driveEnd(Matrix* matrix, const std::string& name, const Way& way) {
         most = std::max(most, bar.elasticEnergy());
       });
       time.add(bar.timeToRecover(most));
-      residual.add(bar.seen().finite ? bar.seen().residual_share : -1);
+      residual.add(bar.seen().residualIfFinite());
     }
   matrix->add(name + ": time to recover [s]", time.figure(), TIME_TO_RECOVER, RECOVERY_REASON);
-  matrix->add(name + ": residual on the way back", residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
+  addResidual(matrix, name + ": residual on the way back", residual.figure());
 }
 
 /// What bodies keep that are put into a shape at once and let go.
@@ -105,7 +105,7 @@ struct LetGo {
     time->add(bar.timeToRecover(bar.elasticEnergy()));
     growth.add(bar.seen().growth);
     (method == Method::DIRECT ? direct_drift : iterative_drift).add(bar.seen().drift);
-    residual.add(bar.seen().finite ? bar.seen().residual_share : -1);
+    residual.add(bar.seen().residualIfFinite());
     spin.add(bar.angularMomentum().norm() / (bar.mass() * SIZE.x() * 10));
   }
 };
@@ -146,7 +146,6 @@ void extremeShapes(Matrix* matrix) {
   driveEnd(matrix, "stretch to three times the length", stretched);
   driveEnd(matrix, "twist by 720°", twisted);
   driveEnd(matrix, "one end through the other", pushedThrough);
-  matrix->end();
 
   matrix->begin("Put into a shape at once and let go");
   LetGo all;
@@ -160,13 +159,12 @@ void extremeShapes(Matrix* matrix) {
   const double knots = shareOfKnots(matrix->quick() ? 1 : 5, &all);
   matrix->add("momentum, direct", all.direct_drift.figure(), 1e-11, "rounding of the forces, over mass × speed");
   matrix->add("momentum, iterative", all.iterative_drift.figure(), 1e-6, "the tolerance, over mass × speed");
-  matrix->add("energy growth", all.growth.figure(), GROWTH_BOUND, GROWTH_REASON);
-  matrix->add("residual, once nothing is flat", all.residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
+  addGrowth(matrix, "energy growth", all.growth.figure());
+  addResidual(matrix, "residual, once nothing is flat", all.residual.figure());
   matrix->addLimit("share of such runs with noise of 1e-9 and 1e-2 m that do not recover in time", knots, 0,
                    RECOVERY_REASON);
   matrix->addLimit("angular momentum won from rest, over mass × length × speed of sound", all.spin.figure(), 1e-6,
                    "none acts");
-  matrix->end();
 }
 
 }  // namespace incision::report

@@ -3,14 +3,11 @@
 #include "stability.h"
 
 int main(int argc, char** argv) {
-  incision::report::Findings findings(argc, argv);
-  incision::report::Matrix matrix(&findings);
-  incision::report::mapOfStiffness(&matrix);
-  incision::report::extremeShapes(&matrix);
-  incision::report::cutsAndGeometry(&matrix);
-  incision::report::smallParts(&matrix);
-  incision::report::manyCuts(&matrix);
-  incision::report::extremeMotion(&matrix);
-  incision::report::extremeElements(&matrix);
-  return findings.write();
+  using namespace incision::report;
+  return writeSection(argc, argv, [](bool quick, nlohmann::json* data) {
+    Matrix matrix(quick, data);
+    for (const auto group :
+         {mapOfStiffness, extremeShapes, cutsAndGeometry, smallParts, manyCuts, extremeMotion, extremeElements})
+      group(&matrix);
+  });
 }

@@ -58,11 +58,9 @@ void rectangles(Matrix* matrix) {
       std::to_string(count) + " rectangles, " + std::to_string(body.mesh.parts().size()) + " parts";
   matrix->add(name + ": refused", refused, 0, "far from the limits");
   addCounts(matrix, name, body.mesh);
-  throwApart(&body);
-  body.take(5, 5);
-  Flights flight(Method::DIRECT);
-  flight.add(body);
-  flight.report(matrix, name + ", flight");
+  Flights flights;
+  flights.fly(&body, 5, 5);
+  flights.report(matrix, name + ", flight");
 }
 
 /// Unbounded planes through a body of six elements until the limit of parts refuses them, and then as many again.
@@ -85,11 +83,9 @@ void planesToTheLimit(Matrix* matrix) {
       std::to_string(count) + " planes through six elements, " + std::to_string(refused) + " refused";
   matrix->add(name + ": refused ones that changed anything", changed, 0, "a cut is taken whole or not at all");
   addCounts(matrix, name, body.mesh);
-  throwApart(&body);
-  body.take(3, 3);
-  Flights flight(Method::ITERATIVE);
-  flight.add(body);
-  flight.report(matrix, name + ", flight of " + std::to_string(body.pieces()) + " pieces");
+  Flights flights;
+  flights.fly(&body, 3, 3);
+  flights.report(matrix, name + ", flight of " + std::to_string(body.pieces()) + " pieces");
 }
 
 /// One element in as many parts as it may have.
@@ -112,11 +108,9 @@ void oneElement(Matrix* matrix) {
       matrix->add(name + ": pieces too many or too few", std::abs(body.pieces() - parts), 0, "each part is a piece");
       addCounts(matrix, name, body.mesh);
     }
-    throwApart(&body);
-    body.take(10, 5);
-    Flights flight(method);
-    flight.add(body);
-    flight.report(matrix, name + ", flight");
+    Flights flights;
+    flights.fly(&body, 10, 5);
+    flights.report(matrix, name + ", flight");
   }
 }
 
@@ -186,9 +180,8 @@ void longRun(Matrix* matrix) {
     });
     const std::string name = std::to_string(steps) + " steps with " + std::to_string(body.mesh.numCracks()) +
                              " cuts, " + (held ? "held" : "free");
-    matrix->add(name + ": residual", body.seen().finite ? body.seen().residual_share : -1, RESIDUAL_BOUND,
-                RESIDUAL_REASON);
-    matrix->add(name + ": energy growth", body.seen().growth, GROWTH_BOUND, GROWTH_REASON);
+    addResidual(matrix, name + ": residual", body.seen().residualIfFinite());
+    addGrowth(matrix, name + ": energy growth", body.seen().growth);
     if (!held) matrix->add(name + ": momentum", body.seen().drift, 1e-11, "rounding of the forces, over mass × speed");
   }
 }
@@ -200,11 +193,9 @@ void manyCuts(Matrix* matrix) {
   rectangles(matrix);
   planesToTheLimit(matrix);
   oneElement(matrix);
-  matrix->end();
   matrix->begin("Strokes and long runs");
   strokes(matrix);
   longRun(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

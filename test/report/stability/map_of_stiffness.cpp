@@ -69,13 +69,11 @@ void mapOfStiffness(Matrix* matrix) {
       }
     const std::string with = std::string(", ") + nameOf(method);
     matrix->add("combinations with a failed step" + with, failed, 0, "every step can be taken");
-    matrix->add("residual" + with, residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-    matrix->add("energy growth, √(σ/ρ)Δt/h < 1 (0.1 for E < σ), or E > 1000 σ" + with, growth.figure(), GROWTH_BOUND,
-                GROWTH_REASON);
+    addResidual(matrix, "residual" + with, residual.figure());
+    addGrowth(matrix, "energy growth, √(σ/ρ)Δt/h < 1 (0.1 for E < σ), or E > 1000 σ" + with, growth.figure());
     matrix->addLimit("energy growth beyond, where the tension σ is the weight's" + with, growth_beyond.figure(),
                      GROWTH_BOUND, GROWTH_REASON);
   }
-  matrix->end();
 
   nlohmann::json& poisson = matrix->data()["poisson"] = nlohmann::json::array();
   matrix->begin("ν from 0 to 0.4999, the same bar, E = 1e5 Pa, Δt = 0.01 s");
@@ -84,15 +82,14 @@ void mapOfStiffness(Matrix* matrix) {
     for (const double nu : {0.0, 0.3, 0.45, 0.49, 0.499, 0.4999}) {
       SlitBar bar(1e5, nu, 0.01, method);
       bar.take(steps);
-      residual.add(bar.seen().finite ? bar.seen().residual_share : -1);
+      residual.add(bar.seen().residualIfFinite());
       growth.add(bar.seen().growth);
       poisson.push_back({{"method", nameOf(method)}, {"nu", nu}, {"iterations", bar.seen().iterations}});
     }
     const std::string with = std::string(", ") + nameOf(method);
-    matrix->add("residual" + with, residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-    matrix->add("energy growth" + with, growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+    addResidual(matrix, "residual" + with, residual.figure());
+    addGrowth(matrix, "energy growth" + with, growth.figure());
   }
-  matrix->end();
 }
 
 }  // namespace incision::report

@@ -18,7 +18,7 @@ double smallestShare(const CutMesh& mesh) {
 /// A corner of a block, cut off with such a share of its elements.
 void alone(Matrix* matrix) {
   Worst share_error;
-  Flights direct(Method::DIRECT), iterative(Method::ITERATIVE);
+  Flights flights;
   Worst direct_fall, iterative_fall;
   for (const Method method : METHODS)
     for (int k = 1; k <= 12; k += matrix->quick() && k > 1 ? 5 : 1) {
@@ -27,9 +27,7 @@ void alone(Matrix* matrix) {
       Watched thrown(block({5, 4, 4}, CELL * Vec3(5, 4, 4)), freeBody(method));
       thrown.cut(corner);
       share_error.add(std::abs(smallestShare(thrown.mesh) / share - 1));
-      throwApart(&thrown);
-      thrown.take(50, 2);
-      (method == Method::DIRECT ? direct : iterative).add(thrown);
+      flights.fly(&thrown, 50, 2);
 
       RigSettings settings = freeBody(method);
       settings.conditions.gravity = Vec3(1, -2, -9);
@@ -43,8 +41,7 @@ void alone(Matrix* matrix) {
     }
   matrix->add("share of the element, relative error", share_error.figure(), 1e-3,
               "from the plane; rounding of 1e-16 in 1e-12");
-  direct.report(matrix, "alone, thrown");
-  iterative.report(matrix, "alone, thrown");
+  flights.report(matrix, "alone, thrown");
   matrix->add("alone, falling, direct: error of every velocity", direct_fall.figure(), 1e-11,
               "v = g n Δt exactly; rounding of the forces");
   matrix->add("alone, falling, iterative: error of every velocity", iterative_fall.figure(), 1e-4,
@@ -103,14 +100,14 @@ void chains(Matrix* matrix) {
           for (const double at : {from, from + width * CELL}) body.cut(plane(at * Vec3::Ones(), Vec3::Unit(axis)));
         body.startWatching();
         body.take(300, 10);
-        residual.add(body.seen().finite ? body.seen().residual_share : -1);
+        residual.add(body.seen().residualIfFinite());
         growth.add(body.seen().growth);
         sinking.add(errorOfSinking(body, 0.8));
       }
   matrix->add("in chains, hanging needles 1e-1 to 1.1e-4 of a cell thick: error of sinking", sinking.figure(), 0.01,
               "ρgL²/3E; eight linear elements: 1/(4·8²)");
-  matrix->add("in chains: residual", residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-  matrix->add("in chains: energy growth", growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+  addResidual(matrix, "in chains: residual", residual.figure());
+  addGrowth(matrix, "in chains: energy growth", growth.figure());
 }
 
 /// Half a block hangs on the other half by a bridge of small parts alone.
@@ -130,12 +127,12 @@ void bridges(Matrix* matrix) {
       wrong += body.pieces() != 1;
       body.startWatching();
       body.take(200, 10);
-      residual.add(body.seen().finite ? body.seen().residual_share : -1);
+      residual.add(body.seen().residualIfFinite());
       growth.add(body.seen().growth);
     }
   matrix->add("bridges: bodies that fell apart", wrong, 0, "the bridge is not cut");
-  matrix->add("bridges: residual", residual.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-  matrix->add("bridges: energy growth", growth.figure(), GROWTH_BOUND, GROWTH_REASON);
+  addResidual(matrix, "bridges: residual", residual.figure());
+  addGrowth(matrix, "bridges: energy growth", growth.figure());
 }
 
 }  // namespace
@@ -146,7 +143,6 @@ void smallParts(Matrix* matrix) {
   aloneWithConsistentMass(matrix);
   chains(matrix);
   bridges(matrix);
-  matrix->end();
 }
 
 }  // namespace incision::report

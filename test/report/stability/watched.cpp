@@ -99,21 +99,27 @@ void Watched::compare(const Motion& before) {
   watch_.residual_share = std::max(watch_.residual_share, residual.share);
 }
 
-void Flights::add(const Watched& body) {
-  const Watch& seen = body.seen();
-  residual_.add(seen.finite ? seen.residual_share : -1);
-  drift_.add(seen.drift);
-  growth_.add(seen.growth);
+void Flights::fly(Watched* body, int steps, int reference_every) {
+  throwApart(body);
+  body->take(steps, reference_every);
+  Kept& kept = body->settings().solver.method == Method::DIRECT ? direct_ : iterative_;
+  ++kept.flights;
+  kept.residual.add(body->seen().residualIfFinite());
+  kept.drift.add(body->seen().drift);
+  kept.growth.add(body->seen().growth);
 }
 
 void Flights::report(Matrix* matrix, const std::string& name) const {
-  const std::string with = name + ", " + nameOf(method_);
-  matrix->add(with + ": residual", residual_.figure(), RESIDUAL_BOUND, RESIDUAL_REASON);
-  if (method_ == Method::DIRECT)
-    matrix->add(with + ": momentum", drift_.figure(), 1e-11, "rounding of the forces, over mass × speed");
-  else
-    matrix->add(with + ": momentum", drift_.figure(), 1e-6, "the tolerance, over mass × speed");
-  matrix->add(with + ": energy growth", growth_.figure(), GROWTH_BOUND, GROWTH_REASON);
+  for (const Method method : METHODS) {
+    const bool direct = method == Method::DIRECT;
+    const Kept& kept = direct ? direct_ : iterative_;
+    if (kept.flights == 0) continue;
+    const std::string with = name + ", " + nameOf(method);
+    addResidual(matrix, with + ": residual", kept.residual.figure());
+    matrix->add(with + ": momentum", kept.drift.figure(), direct ? 1e-11 : 1e-6,
+                direct ? "rounding of the forces, over mass × speed" : "the tolerance, over mass × speed");
+    addGrowth(matrix, with + ": energy growth", kept.growth.figure());
+  }
 }
 
 }  // namespace incision::report

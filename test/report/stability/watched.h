@@ -21,6 +21,9 @@ struct Watch {
   double iterations = 0;      ///< mean of the steps
   double residual = 0;        ///< largest, against the long double reference: StepResidual::relative
   double residual_share = 0;  ///< and StepResidual::share
+
+  /// The share; infinite where a step failed.
+  double residualIfFinite() const { return finite ? residual_share : std::numeric_limits<double>::infinity(); }
 };
 
 /// A body that is watched while it moves. Its energy counts that of gravity.
@@ -76,20 +79,27 @@ class Worst {
 /// What bodies in free flight must keep, each method by its own bounds.
 class Flights {
  public:
-  explicit Flights(Method method) : method_(method) {}
-  void add(const Watched& body);
-  /// Adds the cases "residual", "momentum" and "energy" of all flights so far.
+  /// Throws a body's copies apart and takes steps, as Watched::take() does.
+  void fly(Watched* body, int steps, int reference_every);
+  /// Adds the cases "residual", "momentum" and "energy growth" of all flights so far, of each method that flew.
   void report(Matrix* matrix, const std::string& name) const;
 
  private:
-  Method method_;
-  Worst residual_, drift_, growth_;
+  struct Kept {
+    int flights = 0;
+    Worst residual, drift, growth;
+  };
+  Kept direct_, iterative_;
 };
 
-/// Bound and reason of a residual's share: the norms are reckoned in double on one side.
-inline constexpr double RESIDUAL_BOUND = 1.01;
-inline const char* const RESIDUAL_REASON = "share of what tolerance and rounding leave, worst piece; 1 % for the norms";
 inline constexpr double GROWTH_BOUND = 1e-6;
 inline const char* const GROWTH_REASON = "implicit Euler only takes energy away";
+inline void addGrowth(Matrix* matrix, const std::string& name, double figure) {
+  matrix->add(name, figure, GROWTH_BOUND, GROWTH_REASON);
+}
+/// Of StepResidual::share; the norms are reckoned in double on one side.
+inline void addResidual(Matrix* matrix, const std::string& name, double figure) {
+  matrix->add(name, figure, 1.01, "share of what tolerance and rounding leave, worst piece; 1 % for the norms");
+}
 
 }  // namespace incision::report

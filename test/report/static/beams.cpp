@@ -67,7 +67,7 @@ Problem cantilever() {
   problem.ways = {{false, true}, {true, true}};
   const Load load = {slab(0, L), Vec3(0, 0, TRACTION), 0};
   problem.cases = {{clampedUpTo(0, {load}), {}}};
-  problem.quantities = {{"deflection", "m", deflection(L, 1), {0}, [](const auto& U) { return wayOf(P, U[0]); }, true}};
+  problem.quantities = {{"deflection", deflection(L, 1), {0}, [](const auto& U) { return wayOf(P, U[0]); }, true}};
   return problem;
 }
 
@@ -91,9 +91,8 @@ Problem doubleCantileverBeam() {
   };
   const auto exactEnergy = [](double a) { return P * deflection(a, 0.5) / 2; };
   problem.quantities = {
-      {"opening of an arm", "m", deflection(LONG, 0.5), {0}, [=](const auto& U) { return opening(U[0]); }, true},
+      {"opening of an arm", deflection(LONG, 0.5), {0}, [=](const auto& U) { return opening(U[0]); }, true},
       {"energy release rate",
-       "J/m²",
        released(exactEnergy(LONG), exactEnergy(SHORT)),
        {0, 1},
        [=](const auto& U) { return released(U[0], U[1]); },

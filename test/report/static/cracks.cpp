@@ -100,13 +100,11 @@ Problem edgeCrack() {
   const auto intensity = [](double energy) { return std::sqrt(E * energy / (THICKNESS * (LONG - SHORT))); };
   const double uncracked = TENSION * TENSION / (2 * E) * WIDTH * THICKNESS * 2 * HALF;
   problem.quantities = {{"K_I",
-                         "Pa√m",
                          intensity(edgeCrackEnergy(LONG) - edgeCrackEnergy(SHORT)),
                          {0, 1},
                          [=](const auto& U) { return intensity(U[0] - U[1]); },
                          false},
                         {"energy released",
-                         "J",
                          edgeCrackEnergy(LONG),
                          {0},
                          [=](const auto& U) { return U[0] - uncracked; },
@@ -131,14 +129,12 @@ Problem pennyCrack() {
     return std::sqrt(E * released);
   };
   problem.quantities = {{"opened volume",
-                         "m³",
                          pennyVolume(1),
                          {0},
                          [](const auto& U) { return openedVolume(U[0]); },
                          false,
                          [](double volume) { return 1 - std::cbrt(volume / pennyVolume(1)); }},
                         {"K_I",
-                         "Pa√m",
                          intensity(pennyVolume(LARGE) - pennyVolume(SMALL)),
                          {1, 2},
                          [=](const auto& U) { return intensity(openedVolume(U[0]) - openedVolume(U[1])); },

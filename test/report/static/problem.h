@@ -16,10 +16,6 @@ struct Way {
   bool unstructured;  ///< by Gmsh; otherwise a grid
   bool faces;
   bool longer = false;  ///< the crack is made longer, by the MISSING_EDGES that a crack inside elements lacks
-  std::string name() const {
-    return std::string(unstructured ? "Gmsh" : "grid") + (faces ? ", crack on faces" : ", crack inside elements") +
-           (longer ? ", made longer" : "");
-  }
 };
 
 /// One static solve: a body, what holds and loads it, and what is cut before.
@@ -33,7 +29,7 @@ struct Case {
 
 /// A figure of a problem, from the strain energies [J] of some of its cases.
 struct Quantity {
-  std::string name, unit;
+  std::string name;
   double answer;
   std::vector<int> cases;
   std::function<double(const std::vector<double>& energies)> from;

@@ -3,10 +3,9 @@
 import math
 
 import numpy as np
-from matplotlib.ticker import LogLocator, NullFormatter
-from plots import curve, table
 
-TITLE = 'Static problems: error against time'
+from plots import curve, plain_numbers
+from static.figures import column, finest_errors, limit, missing, order, quantities
 
 WAYS = ('grid, crack on faces', 'grid, crack inside elements', 'grid, inside, made longer',
         'Gmsh, crack on faces', 'Gmsh, crack inside elements', 'Gmsh, inside, made longer')
@@ -20,19 +19,13 @@ def label(found):
     return WAYS[3 * found['unstructured'] + (not found['faces']) + found['longer']]
 
 
-def column(points, key):
-    return np.array([abs(p[key]) for p in points])
-
-
-def find(data, problem, quantity):
-    """The quantity of that name, or the first one."""
-    problem = next(p for p in data['problems'] if p['name'] == problem)
-    return next(q for q in problem['quantities'] if quantity in ('', q['name']))
+def find(data, problem, name):
+    return next(quantity for of, quantity in quantities(data) if (of, quantity['name']) == (problem, name))
 
 
 def ratio_at_equal_time(top, bottom):
     """Median of the ratio of two curves' errors over the times that both cover; None where they share none."""
-    curves = [(np.log(column(c['points'], 'ms')), np.log(column(c['points'], 'error'))) for c in (top, bottom)]
+    curves = [(np.log(column(c['points'], 'ms')), np.log(abs(column(c['points'], 'error')))) for c in (top, bottom)]
     start, end = max(c[0][0] for c in curves), min(c[0][-1] for c in curves)
     if start >= end:
         return None
@@ -42,23 +35,21 @@ def ratio_at_equal_time(top, bottom):
 
 
 def inside_over_faces(quantity):
-    """{kind: ratio} of the error of a crack inside elements to that on faces at equal time."""
+    """The ratio of the error of a crack inside elements to that on faces at equal time, on the grid and Gmsh's mesh."""
     ways = {(c['unstructured'], c['faces']): c for c in quantity['curves'] if not c['longer']}
-    return {kind(ways[u, True]): ratio_at_equal_time(ways[u, False], ways[u, True]) for u in (False, True)}
+    return [ratio_at_equal_time(ways[u, False], ways[u, True]) for u in (False, True)]
 
 
 def log_axes(axes, title, vertical='error [%]'):
     axes.set(xscale='log', yscale='log', title=title, xlabel='wall time [ms]', ylabel=vertical)
     for axis in (axes.xaxis, axes.yaxis):
         low, high = axis.get_view_interval()
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 100 * low else (1,)))
-        axis.set_major_formatter('{x:g}')
-        axis.set_minor_formatter(NullFormatter())
+        plain_numbers(axis, (1, 2, 5) if high < 100 * low else (1,))
 
 
 def draw_errors(axes, title, quantity, name=label):
     for found in quantity['curves']:
-        axes.plot(column(found['points'], 'ms'), 100 * column(found['points'], 'error'), label=name(found),
+        axes.plot(column(found['points'], 'ms'), 100 * abs(column(found['points'], 'error')), label=name(found),
                   **curve(WAYS.index(label(found))))
     log_axes(axes, title)
 
@@ -70,16 +61,14 @@ def draw_whole(data, draw):
                 bending.plot(column(found['points'], 'ms'), 100 * column(found['points'], norm),
                              label=f'{kind(found)}, {name}', **curve(2 * k + (norm == 'energy')))
         log_axes(bending, 'bar bent to a circle, exact field')
-        bending.legend()
-        draw_errors(cantilever, 'cantilever, deflection', find(data, 'cantilever', ''), kind)
-        cantilever.legend()
+        draw_errors(cantilever, 'cantilever, deflection', find(data, 'cantilever', 'deflection'), kind)
         freedoms = column(data['solvers'], 'freedoms')
         for k, method in enumerate(('direct', 'iterative')):
             solvers.plot(freedoms, column(data['solvers'], method + '_ms'), label=method, **curve(k))
         log_axes(solvers, 'cantilever, one solve', 'wall time [ms]')
         solvers.set_xlabel('freedoms')
-        solvers.legend()
-    return draw.picture('whole', 'Error against time of bodies without a crack, and time of both solvers')
+        for axes in (bending, cantilever, solvers):
+            axes.legend()
 
 
 def draw_beams(data, draw):
@@ -90,123 +79,50 @@ def draw_beams(data, draw):
             draw_errors(axes, f'{problem}, {quantity}', find(data, problem, quantity))
             axes.title.set_fontsize(9)
         panels[0].legend()
-    return draw.picture('beams', 'Error against time of beams with a crack along their middle')
 
 
 def draw_cracks(data, draw):
-    with draw.panels('cracks', 4, width=3.9, height=4) as (edge, volume, intensity, missing):
-        draw_errors(edge, 'edge crack, K_I', find(data, 'edge crack', 'K_I'))
-        draw_errors(volume, 'penny crack, opened volume', find(data, 'penny crack', 'opened volume'))
-        draw_errors(intensity, 'penny crack, K_I', find(data, 'penny crack', 'K_I'))
+    with draw.panels('cracks', 4, width=3.9, height=4) as (*panels, shorter):
+        for axes, shown in zip(panels, (('edge crack', 'K_I'), ('penny crack', 'opened volume'),
+                                        ('penny crack', 'K_I'))):
+            draw_errors(axes, ', '.join(shown), find(data, *shown))
         for found in find(data, 'penny crack', 'opened volume')['curves']:
-            missing.plot(column(found['points'], 'edge'), column(found['points'], 'missing_edges'), label=label(found),
+            shorter.plot(column(found['points'], 'edge'), column(found['points'], 'missing_edges'), label=label(found),
                          **curve(WAYS.index(label(found))))
-        missing.set(title='penny crack acts as if shorter by', xlabel='edge of the elements / radius', ylabel='edges',
+        shorter.set(title='penny crack acts as if shorter by', xlabel='edge of the elements / radius', ylabel='edges',
                     ylim=(-0.3, 1.5))
-        missing.legend()
-    return draw.picture('cracks', 'Error against time of cracks that end in the body, and by how much they are short')
+        shorter.legend()
 
 
-def solver_text(data):
-    quicker = [s for s in data['solvers'] if s['iterative_ms'] < s['direct_ms']]
-    largest = data['solvers'][-1]
-    text = (f'At {largest["freedoms"]} freedoms the direct solver takes '
-            f'{largest["direct_ms"] / largest["iterative_ms"]:.1f} times as long as the iterative one')
-    if quicker:
-        text += f', which was the faster one from {quicker[0]["freedoms"]} freedoms on'
-    return text + ('. `auto` factorises up to 3000 freedoms without warping, as one factorisation then serves every '
-                   'step; all other curves here are by `auto`. ' + gave_up_text(data))
+def order_row(problem, quantity, found):
+    fine = found['points'][-1]
+    return {**fine, 'problem': problem, 'quantity': quantity['name'],
+            'mesh': label(found) if len(quantity['curves']) > 2 else kind(found),
+            'order': '–' if found['longer'] else f'{order(found["points"]):.2f}', 'off': 100 * fine['error'],
+            'limit': 100 * limit(found)}
 
 
-def orders_table(data):
-    rows = []
-    for problem in data['problems']:
-        for quantity in problem['quantities']:
-            for found in quantity['curves']:
-                fine = found['points'][-1]
-                name = label(found) if len(quantity['curves']) > 2 else kind(found)
-                rows.append([f'{problem["name"]}, {quantity["name"]}', name,
-                             '–' if found['longer'] else f'{found["order"]:.2f}',
-                             f'{100 * fine["error"]:+.1f}', f'{fine["freedoms"]}', f'{fine["ms"]:.0f}',
-                             f'{fine["meshing_ms"]:.0f}', f'{100 * found["limit"]:+.1f}'])
-    return table(['problem', 'mesh', 'order', 'error on the finest [%]', 'freedoms', 'time [ms]', 'meshing [ms]',
-                  'error at edge 0 [%]'], rows)
+def span(values):
+    return [min(values), max(values)]
 
 
-def ratios_table(data):
-    rows = []
-    for problem in data['problems']:
-        for quantity in problem['quantities']:
-            if len(quantity['curves']) > 2:
-                ratios = inside_over_faces(quantity)
-                rows.append([f'{problem["name"]}, {quantity["name"]}',
-                             *(f'{r:.2f}' if r else '–' for r in (ratios['grid'], ratios['Gmsh']))])
-    return table(['error inside elements / on faces, at equal time', 'grid', 'Gmsh'], rows)
-
-
-def cracks(data):
-    """The curves of all figures of cracks that end in the body."""
-    return [(quantity['name'], found) for problem in data['problems'] for quantity in problem['quantities']
-            for found in quantity['curves'] if found['expected_order'] == 1]
-
-
-def span(values, form='.2f'):
-    return f'{min(values):{form}} to {max(values):{form}}'
-
-
-def missing_text(data):
-    ends = {True: [], False: []}
-    for _, found in cracks(data):
-        if not found['longer']:
-            ends[found['faces']] += [p['missing_edges'] for p in found['points'] if 'missing_edges' in p]
-    plain, longer = ([100 * abs(f['points'][-1]['error']) for _, f in cracks(data)
-                      if not f['faces'] and f['longer'] == wanted] for wanted in (False, True))
-    conforming = [100 * abs(f['points'][-1]['error']) for _, f in cracks(data) if f['faces']]
-    return (f'Where a crack ends in the body it acts as if it were shorter: by {span(ends[True])} of an element\'s '
-            f'edge when it lies on faces, by {span(ends[False])} when it goes through elements. So does any crack in '
-            'linear elements, which cannot follow the square root at its front; a cut element beside the front, '
-            'whose copies the front holds together, adds the rest. Both shrink with the edge, at first order, and '
-            'so do the errors of K_I and of the volume: that is why a conforming mesh wins here. The remedy is '
-            'simple, as the lack is nearly the same share of an edge everywhere. *Made longer* is the crack inside '
-            f'elements, cut 0.8 edges farther: on the finest meshes its errors are {span(longer, ".1f")} % instead '
-            f'of {span(plain, ".1f")} %, where those of the conforming meshes are {span(conforming, ".1f")} %. The '
-            '0.8 comes from these two cracks, a straight and a round front. Who wants fracture mechanics from a cut '
-            'cuts it so much longer, or refines at its front.')
-
-
-def gave_up_text(data):
-    points = [p for problem in data['problems'] for quantity in problem['quantities'] for found in quantity['curves']
-              for p in found['points']]
-    return (f'At {sum(p["gave_up"] for p in points)} of the {len(points)} points of the curves the iteration, which '
-            'works in single precision, gave up and the direct solver took over, which the time includes: without '
-            'inertia a slender or loosely held body is stiffer in its cells than as a whole by a factor that single '
-            'precision hardly holds.')
-
-
-def render(data, draw):
-    beams = [r for name in ('split cantilever', 'double cantilever beam')
-             for r in inside_over_faces(find(data, name, '')).values() if r]
-    return '\n\n'.join([
-        'Each problem has an answer of its own: Timoshenko\'s beam, or linear elastic fracture mechanics. The load '
-        'is small, warping is off, and one long step of an almost massless body is the static answer. The time is '
-        'that of the whole job on a mesh in memory, with two threads: topology, the cut, assembly, and one solve to '
-        'the default tolerance (two or three for an energy release rate). Making the mesh is not in it. ν = 0, so '
-        'that a clamp takes nothing from beam theory and the plate is plane. The answers come from the strain '
-        'energy, which under a dead load is half of load times way; its growth with the crack is the energy release '
-        'rate. The rates and K_I are means over a growth of the crack, from two cracks in the same mesh, and so are '
-        'the answers they are held against. A beam\'s error is that of its stiffness.',
-        '### Without a crack', draw_whole(data, draw), solver_text(data),
-        '### Cut through elements, or on faces',
-        'A crack on faces is what a mesh that conforms to it gives: no element is split. On the grid an odd number of '
-        'cells puts the crack inside, an even one on faces. Gmsh made meshes with the crack as an inner surface, and '
-        'without.',
-        draw_beams(data, draw), draw_cracks(data, draw), ratios_table(data),
-        f'Where the crack runs through the body, as in the beams, the cut inside elements has between {min(beams):.2f} '
-        f'and {max(beams):.2f} times the error of the conforming mesh at equal time: nothing is lost that a finer mesh '
-        'of a few per cent would not bring back, and nothing needs to be meshed again. ' + missing_text(data),
-        orders_table(data),
-        '*Order*: slope over the finest four meshes; *edge*: cube root of six times the elements\' mean volume, '
-        'near the crack. *Error at edge 0*: by the line through the finest four over the power of the edge that '
-        'theory gives, 2 for beams and 1 where a crack ends; what is left there is the mesh\'s luck with the front, '
-        'the end of the block (one or two per cent, see the next section) and the answer\'s own error (0.5 % for '
-        'the edge crack\'s polynomial). On the grid the front of the penny crack is a staircase.'])
+def fields(data, draw):
+    draw_whole(data, draw)
+    draw_beams(data, draw)
+    draw_cracks(data, draw)
+    cut = [(problem, quantity) for problem, quantity in quantities(data) if len(quantity['curves']) > 2]
+    points = [p for _, quantity in quantities(data) for found in quantity['curves'] for p in found['points']]
+    largest, quicker = data['solvers'][-1], [s for s in data['solvers'] if s['iterative_ms'] < s['direct_ms']]
+    beams = (find(data, 'split cantilever', 'deflection'), find(data, 'double cantilever beam', 'opening of an arm'))
+    per_cent = {'conforming': finest_errors(data, faces=True), 'plain': finest_errors(data, faces=False, longer=False),
+                'longer': finest_errors(data, faces=False, longer=True)}
+    return {'largest': largest, 'slower': largest['direct_ms'] / largest['iterative_ms'],
+            'quicker': f', which was the faster one from {quicker[0]["freedoms"]} freedoms on' if quicker else '',
+            'gave_up': sum(p['gave_up'] for p in points), 'points': len(points),
+            'ratios': [{'problem': problem, 'quantity': quantity['name'], 'ratios': inside_over_faces(quantity)}
+                       for problem, quantity in cut],
+            'beams': span([ratio for beam in beams for ratio in inside_over_faces(beam) if ratio]),
+            'on_faces': span(sum(missing(data, True), [])), 'inside': span(sum(missing(data, False), [])),
+            **{name: span([100 * error for error in errors]) for name, errors in per_cent.items()},
+            'orders': [order_row(problem, quantity, found) for problem, quantity in quantities(data)
+                       for found in quantity['curves']]}
