@@ -1,6 +1,5 @@
 #include "incision/contact/obstacle_contacts.h"
 
-#include <limits>
 #include <optional>
 
 namespace incision {
@@ -20,34 +19,20 @@ constexpr double LEAST_OWN = 0.1;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
-/// Radius of a ball round the shape's origin that holds it [m].
-double reachOf(const Shape& shape) {
-  switch (shape.kind) {
-    case ShapeKind::SPHERE:
-      return shape.size[0];
-    case ShapeKind::BOX:
-      return shape.size.norm() / 2;
-    case ShapeKind::CYLINDER:
-      return std::hypot(shape.size[0], shape.size[2] / 2);
-    case ShapeKind::HALF_SPACE:
-      break;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 /// An obstacle through the step.
 struct MovingShape {
-  Shape shape;
+  const Solid* solid;
   Eigen::Isometry3d in_link, from, to;
   bool is_tool;
-  double reach;                // as reachOf has it [m]
+  double reach;                // of the solid [m]
   double moved = 0;            // a bound on how far any point of it moves [m]
   const Edge* edge = nullptr;  // in the link's frame, near which it gives way
 };
 
 MovingShape placeShape(const Obstacle& obstacle, const Obstacles& obstacles, const LinkMotion& motion) {
   const Eigen::Isometry3d in_link = toIsometry(obstacle.pose);
-  MovingShape placed{obstacle.shape, in_link, in_link, in_link, obstacles.isTool(obstacle), reachOf(obstacle.shape)};
+  MovingShape placed{obstacle.solid.get(),   in_link, in_link, in_link, obstacles.isTool(obstacle),
+                     obstacle.solid->reach()};
   if (obstacle.link == GROUND_LINK) return placed;
   placed.from = toIsometry(motion.from[obstacle.link]) * in_link;
   placed.to = toIsometry(motion.to[obstacle.link]) * in_link;
@@ -75,16 +60,16 @@ std::optional<Vec3> normalAt(const ContactSurface& surface, const std::vector<Ve
 }
 
 /// From the nearest point, but on the side on which the point was, if it was.
-ShapeDistance distanceFrom(const Vec3* side, const Shape& shape, const Vec3& point) {
-  const ShapeDistance nearest = distanceTo(shape, point);
+SolidDistance distanceFrom(const Vec3* side, const Solid& solid, const Vec3& point) {
+  const SolidDistance nearest = solid.distanceTo(point);
   if (!side || nearest.distance >= 0 || nearest.normal.dot(*side) > 0) return nearest;
-  return {side->dot(point) - reachAlong(shape, *side), *side};
+  return {side->dot(point) - solid.reachAlong(*side), *side};
 }
 
 bool givesWay(const MovingShape& shape, const Vec3& foot) {
   if (!shape.edge) return false;
   const Vec3 at = shape.in_link * foot;
-  return (at - nearestOn(*shape.edge, at)).norm() <= (1 + ROUNDING) * thickness(shape.shape);
+  return (at - nearestOn(*shape.edge, at)).norm() <= (1 + ROUNDING) * shape.solid->thickness();
 }
 
 /// What holds a vertex off a shape of the tool, in the shape's frame, where the vertex is at `point`: the nearest
@@ -92,10 +77,10 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
 /// it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so that
 /// counts also a little beside the shape; but what would have to cross more than the blade is no face of the slit.
 /// Nothing does where a vertex has no side to go to, as at the slit's end.
-std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
+std::optional<SolidDistance> holdOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* side) {
-  const ShapeDistance nearest = distanceTo(shape.shape, point);
-  const double aside = DEEPEST_BEGIN * surface.size[vertex], width = thickness(shape.shape);
+  const SolidDistance nearest = shape.solid->distanceTo(point);
+  const double aside = DEEPEST_BEGIN * surface.size[vertex], width = shape.solid->thickness();
   if (nearest.distance > aside) return nearest;
   if (surface.own[vertex] < LEAST_OWN) return std::nullopt;
   Vec3 n;
@@ -108,9 +93,9 @@ std::optional<ShapeDistance> holdOff(const ContactSurface& surface, const std::v
   }
   const double facing = -nearest.normal.dot(n);
   if (facing > (side ? 0 : LEAST_OPPOSITION)) return nearest;
-  const ShapeDistance across = distanceAgainst(shape.shape, point, n);
+  const SolidDistance across = shape.solid->distanceAgainst(point, n);
   if (nearest.distance < 0) return side || across.distance > -width - aside ? across : nearest;
-  const double off = distanceTo(shape.shape, point - across.distance * across.normal).distance;
+  const double off = shape.solid->distanceTo(point - across.distance * across.normal).distance;
   return facing < -LEAST_OPPOSITION && off < ROUNDING * width ? across : nearest;
 }
 
@@ -134,9 +119,9 @@ void findObstacleContacts(const ContactSurface& surface, const std::vector<Vec3>
       while (touch != touches.end() && comesBefore(*touch, candidate)) ++touch;
       const bool touched = touch != touches.end() && !comesBefore(candidate, *touch);
       const Vec3* side = touched ? &touch->side : nullptr;
-      const std::optional<ShapeDistance> nearest = shape.is_tool
+      const std::optional<SolidDistance> nearest = shape.is_tool
                                                        ? holdOff(surface, x, candidate.sample, shape, local, side)
-                                                       : distanceFrom(side, shape.shape, local);
+                                                       : distanceFrom(side, *shape.solid, local);
       if (!nearest) continue;
       const Vec3 foot = local - nearest->distance * nearest->normal;
       if (givesWay(shape, foot)) continue;

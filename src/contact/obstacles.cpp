@@ -2,25 +2,21 @@
 
 #include "incision/base/input_error.h"
 #include "incision/rigid/description.h"
+#include "incision/rigid/half_space.h"
 
 namespace incision {
 
 namespace {
 
-void checkObstacle(const DescribedShape& shape, const std::string& where) {
-  if (shape.is_mesh) throw InputError(where + ": a mesh as collision shape (allowed: sphere, box, cylinder)");
-  checkShape(shape, where);
-}
-
 void addLink(const DescribedLink& link, const std::string& where, Obstacles* obstacles) {
   if (!link.fault.empty()) throw InputError(where + ": " + link.fault);
-  if (link.shapes.empty()) return;
+  if (link.solids.empty()) return;
   checkPose(link.pose, where);
   const int index = static_cast<int>(obstacles->links.size());
   obstacles->links.push_back({link.name, link.pose});
-  for (const DescribedShape& shape : link.shapes) {
-    checkObstacle(shape, where);
-    obstacles->shapes.push_back({shape.shape, shape.pose, index});
+  for (const DescribedSolid& described : link.solids) {
+    checkSolid(described, where);
+    obstacles->shapes.push_back({described.solid, described.pose, index});
   }
 }
 
@@ -32,6 +28,7 @@ void checkCount(std::size_t count, const std::string& name) {
 
 Obstacle groundAt(double height) {
   Obstacle ground;
+  ground.solid = std::make_shared<HalfSpace>();
   ground.pose.position.z() = height;
   return ground;
 }
@@ -41,7 +38,7 @@ Obstacle groundAt(double height) {
 Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name) {
   Obstacles obstacles;
   if (!settings.obstacles.empty()) {
-    for (const DescribedLink& link : parseDescription(urdf, name))
+    for (const DescribedLink& link : parseDescription(urdf, name).links)
       addLink(link, linkInMessage(name, link.name), &obstacles);
     checkCount(obstacles.shapes.size(), name);
   }
@@ -50,8 +47,8 @@ Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf
 }
 
 void addTool(const ToolBody& tool, const std::string& urdf, const std::string& name, Obstacles* obstacles) {
-  const std::vector<DescribedLink> links = parseDescription(urdf, name);
-  const DescribedLink& link = findLink(links, tool.link, name);
+  const Description description = parseDescription(urdf, name);
+  const DescribedLink& link = description.link(tool.link);
   const std::size_t others = obstacles->shapes.size();
   addLink(link, linkInMessage(name, link.name), obstacles);
   if (obstacles->shapes.size() == others) return;

@@ -32,7 +32,7 @@ ObstacleTracker::ObstacleTracker(const tf2::BufferCore& buffer, std::string body
   for (const Obstacle& obstacle : obstacles.shapes) {
     if (obstacle.link == GROUND_LINK) continue;
     double& reach = links_[static_cast<std::size_t>(obstacle.link)].reach;
-    reach = std::max(reach, obstacle.pose.position.norm() + obstacle.shape.size.norm());
+    reach = std::max(reach, obstacle.pose.position.norm() + obstacle.solid->reach());
   }
   restart();
 }

@@ -5,16 +5,16 @@
 
 #include "incision/contact/settings.h"
 #include "incision/rigid/pose.h"
-#include "incision/rigid/shape.h"
+#include "incision/rigid/solid.h"
 
 namespace incision {
 
 /// `Obstacle::link` of the ground, which belongs to no link and never moves.
 inline constexpr int GROUND_LINK = -1;
 
-/// A rigid shape that the body cannot enter.
+/// A rigid solid that the body cannot enter.
 struct Obstacle {
-  Shape shape;
+  SolidPtr solid;
   Pose pose;  ///< in its link's frame; the ground's in the body's
   int link = GROUND_LINK;
 };
