@@ -2,25 +2,21 @@
 
 #include "incision/base/input_error.h"
 #include "incision/rigid/description.h"
+#include "incision/rigid/half_space.h"
 
 namespace incision {
 
 namespace {
 
-void checkObstacle(const DescribedShape& shape, const std::string& where) {
-  if (shape.is_mesh) throw InputError(where + ": a mesh as collision shape (allowed: sphere, box, cylinder)");
-  checkShape(shape, where);
-}
-
 void addLink(const DescribedLink& link, const std::string& where, Obstacles* obstacles) {
   if (!link.fault.empty()) throw InputError(where + ": " + link.fault);
-  if (link.shapes.empty()) return;
+  if (link.solids.empty()) return;
   checkPose(link.pose, where);
   const int index = static_cast<int>(obstacles->links.size());
   obstacles->links.push_back({link.name, link.pose});
-  for (const DescribedShape& shape : link.shapes) {
-    checkObstacle(shape, where);
-    obstacles->shapes.push_back({shape.shape, shape.pose, index});
+  for (const DescribedSolid& described : link.solids) {
+    checkSolid(described, where);
+    obstacles->shapes.push_back({described.solid, described.pose, index});
   }
 }
 
@@ -32,6 +28,7 @@ void checkCount(std::size_t count, const std::string& name) {
 
 Obstacle groundAt(double height) {
   Obstacle ground;
+  ground.solid = std::make_shared<HalfSpace>();
   ground.pose.position.z() = height;
   return ground;
 }
@@ -41,7 +38,7 @@ Obstacle groundAt(double height) {
 Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name) {
   Obstacles obstacles;
   if (!settings.obstacles.empty()) {
-    for (const DescribedLink& link : parseDescription(urdf, name))
+    for (const DescribedLink& link : parseDescription(urdf, name).links)
       addLink(link, linkInMessage(name, link.name), &obstacles);
     checkCount(obstacles.shapes.size(), name);
   }
@@ -49,11 +46,10 @@ Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf
   return obstacles;
 }
 
-Obstacles loadLink(const std::string& link, const std::string& urdf, const std::string& name) {
+Obstacles loadLink(const Description& description, const std::string& link) {
   Obstacles obstacles;
-  const std::vector<DescribedLink> links = parseDescription(urdf, name);
-  addLink(findLink(links, link, name), linkInMessage(name, link), &obstacles);
-  if (!obstacles.shapes.empty()) checkCount(obstacles.shapes.size(), name);
+  addLink(description.link(link), linkInMessage(description.name, link), &obstacles);
+  if (!obstacles.shapes.empty()) checkCount(obstacles.shapes.size(), description.name);
   return obstacles;
 }
 

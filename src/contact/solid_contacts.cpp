@@ -1,6 +1,5 @@
 #include "incision/contact/solid_contacts.h"
 
-#include <limits>
 #include <optional>
 
 namespace incision {
@@ -20,26 +19,11 @@ constexpr double LEAST_OWN = 0.1;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
-/// Radius of a ball round the shape's origin that holds it [m].
-double reachOf(const Shape& shape) {
-  switch (shape.kind) {
-    case ShapeKind::SPHERE:
-      return shape.size[0];
-    case ShapeKind::BOX:
-      return shape.size.norm() / 2;
-    case ShapeKind::CYLINDER:
-      return std::hypot(shape.size[0], shape.size[2] / 2);
-    case ShapeKind::HALF_SPACE:
-      break;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 /// A solid through the step.
 struct MovingShape {
-  Shape shape;
+  const Solid* solid;
   Eigen::Isometry3d in_link, from, to;
-  double reach;                // of a ball round the shape's origin that encloses it [m]
+  double reach;                // of the solid [m]
   double moved = 0;            // a bound on how far any point of it moves [m]
   bool in_slits = false;       // it may stand in a slit
   const Edge* edge = nullptr;  // in the link's frame, near which it gives way
@@ -47,7 +31,7 @@ struct MovingShape {
 
 MovingShape placeShape(const Obstacle& obstacle, const SolidsInStep& solids, const StepSpan& span) {
   const Eigen::Isometry3d in_link = toIsometry(obstacle.pose);
-  MovingShape placed{obstacle.shape, in_link, in_link, in_link, reachOf(obstacle.shape)};
+  MovingShape placed{obstacle.solid.get(), in_link, in_link, in_link, obstacle.solid->reach()};
   if (obstacle.link == GROUND_LINK) return placed;
   const RigidMotion& motion = solids.motions[static_cast<std::size_t>(obstacle.link)];
   placed.from = toIsometry(motion.at(span.from)) * in_link;
@@ -77,16 +61,16 @@ std::optional<Vec3> normalAt(const ContactSurface& surface, const std::vector<Ve
 }
 
 /// From the nearest point, but on the side on which the point was, if it was.
-ShapeDistance distanceFrom(const Vec3* known_side, const Shape& shape, const Vec3& point) {
-  const ShapeDistance nearest = distanceTo(shape, point);
+SolidDistance distanceFrom(const Vec3* known_side, const Solid& solid, const Vec3& point) {
+  const SolidDistance nearest = solid.distanceTo(point);
   if (!known_side || nearest.distance >= 0 || nearest.normal.dot(*known_side) > 0) return nearest;
-  return {known_side->dot(point) - reachAlong(shape, *known_side), *known_side};
+  return {known_side->dot(point) - solid.reachAlong(*known_side), *known_side};
 }
 
 bool givesWay(const MovingShape& shape, const Vec3& foot) {
   if (!shape.edge) return false;
   const Vec3 at = shape.in_link * foot;
-  return (at - nearestOn(*shape.edge, at)).norm() <= (1 + ROUNDING) * thickness(shape.shape);
+  return (at - nearestOn(*shape.edge, at)).norm() <= (1 + ROUNDING) * shape.solid->thickness();
 }
 
 /// What keeps a vertex off a shape that may stand in a slit, in the shape's frame, where the vertex is at `point`: the
@@ -94,10 +78,10 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
 /// was, if it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so
 /// that counts also a little beside the shape; but what would have to cross more than the blade is no face of the slit.
 /// Nothing does where a vertex has no side to go to, as at the slit's end.
-std::optional<ShapeDistance> keepOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
+std::optional<SolidDistance> keepOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* known_side) {
-  const ShapeDistance nearest = distanceTo(shape.shape, point);
-  const double aside = DEEPEST_BEGIN * surface.size[vertex], width = thickness(shape.shape);
+  const SolidDistance nearest = shape.solid->distanceTo(point);
+  const double aside = DEEPEST_BEGIN * surface.size[vertex], width = shape.solid->thickness();
   if (nearest.distance > aside) return nearest;
   if (surface.own[vertex] < LEAST_OWN) return std::nullopt;
   Vec3 n;
@@ -110,16 +94,16 @@ std::optional<ShapeDistance> keepOff(const ContactSurface& surface, const std::v
   }
   const double facing = -nearest.normal.dot(n);
   if (facing > (known_side ? 0 : LEAST_OPPOSITION)) return nearest;
-  const ShapeDistance across = distanceAgainst(shape.shape, point, n);
+  const SolidDistance across = shape.solid->distanceAgainst(point, n);
   if (nearest.distance < 0) return known_side || across.distance > -width - aside ? across : nearest;
-  const double off = distanceTo(shape.shape, point - across.distance * across.normal).distance;
+  const double off = shape.solid->distanceTo(point - across.distance * across.normal).distance;
   return facing < -LEAST_OPPOSITION && off < ROUNDING * width ? across : nearest;
 }
 
 /// The candidate of a vertex against a shape, whose nearest point `nearest` tells, the vertex being at `local` in the
 /// shape's frame; none where the two cannot meet in the step.
 std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const MovingShape& shape, const Vec3& local,
-                                     const ShapeDistance& nearest, double time_step) {
+                                     const SolidDistance& nearest, double time_step) {
   const ContactSurface& surface = skin.surface();
   const Vec3 foot = local - nearest.distance * nearest.normal;
   if (givesWay(shape, foot)) return std::nullopt;
@@ -161,9 +145,9 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
       while (touch != touches.end() && comesBefore(*touch, at)) ++touch;
       const bool touched = touch != touches.end() && !comesBefore(at, *touch);
       const Vec3* known_side = touched ? &touch->normal_in_solid : nullptr;
-      const std::optional<ShapeDistance> nearest = shape.in_slits
+      const std::optional<SolidDistance> nearest = shape.in_slits
                                                        ? keepOff(skin.surface(), skin.x(), i, shape, local, known_side)
-                                                       : distanceFrom(known_side, shape.shape, local);
+                                                       : distanceFrom(known_side, *shape.solid, local);
       if (!nearest) continue;
       std::optional<Candidate> candidate = candidateAt(skin, i, shape, local, *nearest, span.time_step);
       if (!candidate) continue;

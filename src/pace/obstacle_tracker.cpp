@@ -27,8 +27,7 @@ ObstacleTracker::ObstacleTracker(LinkLookup lookup, const Obstacles& obstacles, 
   for (const Obstacle& obstacle : obstacles.shapes) {
     if (obstacle.link == GROUND_LINK) continue;
     Link& link = links_[static_cast<std::size_t>(obstacle.link)];
-    link.reach = std::max(link.reach, obstacle.pose.position.norm() + obstacle.shape.size.norm());
-    link.of_tool = obstacles.isTool(obstacle);
+    link.reach = std::max(link.reach, obstacle.pose.position.norm() + obstacle.solid->reach());
   }
   restart();
 }
@@ -47,7 +46,6 @@ std::vector<LinkMove> ObstacleTracker::follow(Nanoseconds end) {
   std::vector<LinkMove> moves;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     Link& link = links_[i];
-    if (link.of_tool) continue;
     LinkMove move = {static_cast<int>(i), poses_[i]};
     if (const auto target = lookup_.find(link.name, end)) aim(*target, &link, &move);
     const double share = link.approach.takeShare();

@@ -4,11 +4,13 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <sstream>
 
 #include "incision/base/input_error.h"
+#include "incision/rigid/box.h"
+#include "incision/rigid/cylinder.h"
+#include "incision/rigid/sphere.h"
+#include "limits.h"
 #include "urdf_text.h"
 
 namespace incision {
@@ -21,10 +23,6 @@ constexpr std::ptrdiff_t MAX_ELEMENTS = 10'000;
 
 // Bytes: what people write is a hundredth of it.
 constexpr std::size_t MAX_DESCRIPTION = std::size_t{1} << 20;
-
-// Sizes and coordinates [m] from a micrometre to a thousand kilometres: beyond these it is a slip of units, and what is
-// reckoned with them would lose its digits.
-constexpr double MIN_SIZE = 1e-6, MAX_LENGTH = 1e6;
 
 // urdfdom's XML parser trusts the first byte of a character, which promises up to four, and reads past the end of a
 // text that breaks off within one. These come after it.
@@ -94,28 +92,40 @@ Pose toPose(const urdf::Pose& pose) {
   return {toVec3(pose.position), Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
 }
 
-DescribedShape toShape(const urdf::Collision& collision) {
-  DescribedShape described;
+/// How a kind of solid is read.
+struct SolidKind {
+  decltype(urdf::Geometry::type) type;
+  const char* name;
+  SolidPtr (*read)(const urdf::Geometry& geometry);
+};
+
+const SolidKind SOLID_KINDS[] = {
+    {urdf::Geometry::SPHERE, "sphere",
+     [](const urdf::Geometry& geometry) -> SolidPtr {
+       return std::make_shared<Sphere>(static_cast<const urdf::Sphere&>(geometry).radius);
+     }},
+    {urdf::Geometry::BOX, "box",
+     [](const urdf::Geometry& geometry) -> SolidPtr {
+       return std::make_shared<Box>(toVec3(static_cast<const urdf::Box&>(geometry).dim));
+     }},
+    {urdf::Geometry::CYLINDER, "cylinder",
+     [](const urdf::Geometry& geometry) -> SolidPtr {
+       const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+       return std::make_shared<Cylinder>(cylinder.radius, cylinder.length);
+     }},
+};
+
+std::string allowedKinds() {
+  std::string names;
+  for (const SolidKind& kind : SOLID_KINDS) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
+
+DescribedSolid toSolid(const urdf::Collision& collision) {
+  DescribedSolid described;
   described.pose = toPose(collision.origin);
-  Vec3& size = described.shape.size;
-  switch (collision.geometry->type) {
-    case urdf::Geometry::SPHERE:
-      described.shape.kind = ShapeKind::SPHERE;
-      size[0] = static_cast<const urdf::Sphere&>(*collision.geometry).radius;
-      break;
-    case urdf::Geometry::BOX:
-      described.shape.kind = ShapeKind::BOX;
-      size = toVec3(static_cast<const urdf::Box&>(*collision.geometry).dim);
-      break;
-    case urdf::Geometry::CYLINDER: {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(*collision.geometry);
-      described.shape.kind = ShapeKind::CYLINDER;
-      size[0] = cylinder.radius, size[2] = cylinder.length;
-      break;
-    }
-    default:
-      described.is_mesh = true;
-  }
+  for (const SolidKind& kind : SOLID_KINDS)
+    if (kind.type == collision.geometry->type) described.solid = kind.read(*collision.geometry);
   return described;
 }
 
@@ -124,7 +134,7 @@ DescribedLink toLink(const urdf::Link& link, const Pose& pose) {
   described.name = link.name;
   described.pose = pose;
   for (const auto& collision : link.collision_array)
-    if (collision && collision->geometry) described.shapes.push_back(toShape(*collision));
+    if (collision && collision->geometry) described.solids.push_back(toSolid(*collision));
   return described;
 }
 
@@ -143,61 +153,39 @@ std::vector<DescribedLink> linksOf(const urdf::ModelInterface& model) {
   return links;
 }
 
-std::string shown(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-// The numbers that say how large the shape is, by what the URDF calls them.
-std::vector<std::pair<std::string, double>> sizes(const Shape& shape) {
-  const Vec3& size = shape.size;
-  if (shape.kind == ShapeKind::SPHERE) return {{"sphere's radius", size[0]}};
-  if (shape.kind == ShapeKind::CYLINDER) return {{"cylinder's radius", size[0]}, {"cylinder's length", size[2]}};
-  return {{"box's size", size[0]}, {"box's size", size[1]}, {"box's size", size[2]}};
-}
-
 }  // namespace
 
-std::vector<DescribedLink> parseDescription(const std::string& urdf, const std::string& name) {
-  checkSize(urdf, name);
-  const UrdfText text(urdf + PADDING);
-  text.checkTree(name);
-  const Parsed parsed = parseModel(urdf, name);
-  std::vector<DescribedLink> links = linksOf(*parsed.model);
-  std::map<std::string, std::size_t> collisions = text.countCollisions();
-  for (DescribedLink& link : links)
-    if (link.shapes.size() < collisions[link.name]) link.fault = "a collision shape cannot be read" + parsed.complaint;
-  return links;
-}
-
-const DescribedLink& findLink(const std::vector<DescribedLink>& links, const std::string& link,
-                              const std::string& name) {
+const DescribedLink& Description::link(const std::string& link) const {
   const auto found = std::find_if(links.begin(), links.end(), [&](const DescribedLink& l) { return l.name == link; });
   if (found == links.end())
     throw InputError(linkInMessage(name, link) + " does not exist (allowed: a link of the description)");
   return *found;
 }
 
+Description parseDescription(const std::string& urdf, const std::string& name) {
+  checkSize(urdf, name);
+  const UrdfText text(urdf + PADDING);
+  text.checkTree(name);
+  const Parsed parsed = parseModel(urdf, name);
+  Description description{name, linksOf(*parsed.model)};
+  std::map<std::string, std::size_t> collisions = text.countCollisions();
+  for (DescribedLink& link : description.links)
+    if (link.solids.size() < collisions[link.name]) link.fault = "a collision shape cannot be read" + parsed.complaint;
+  return description;
+}
+
 std::string linkInMessage(const std::string& name, const std::string& link) {
   return name + ": link '" + oneLine(link) + "'";
 }
 
-void checkShape(const DescribedShape& shape, const std::string& where) {
-  for (const auto& [what, size] : sizes(shape.shape)) {
-    if (size >= MIN_SIZE && size <= MAX_LENGTH) continue;
-    throw InputError(where + ": the " + what + ' ' + shown(size) + " (allowed: " + shown(MIN_SIZE) + " to " +
-                     shown(MAX_LENGTH) + " m)");
-  }
-  checkPose(shape.pose, where + ": the collision");
+void checkSolid(const DescribedSolid& described, const std::string& where) {
+  if (!described.solid) throw InputError(where + ": a mesh as collision shape (allowed: " + allowedKinds() + ")");
+  described.solid->check(where);
+  checkPose(described.pose, where + ": the collision");
 }
 
 void checkPose(const Pose& pose, const std::string& where) {
-  for (const double x : pose.position) {
-    if (std::abs(x) <= MAX_LENGTH) continue;
-    throw InputError(where + " stands at " + shown(x) + " (allowed: " + shown(-MAX_LENGTH) + " to " +
-                     shown(MAX_LENGTH) + " m)");
-  }
+  for (const double x : pose.position) checkCoordinate(x, where + " stands at");
   if (!pose.orientation.coeffs().allFinite()) throw InputError(where + ": rpy (allowed: finite numbers)");
 }
 

@@ -1,16 +1,12 @@
 #include "incision/ros/marker_publisher.h"
 
-#include <algorithm>
 #include <cmath>
-
-#include "incision/ros/body_tools.h"
 
 namespace incision {
 
-MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const Obstacles& obstacles,
-                                 const std::vector<Edge>& edges)
+MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body)
     : frame_(settings.scene.body.frame),
-      obstacles_(obstacles),
+      obstacles_(body.obstacles()),
       next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
   if (settings.marker_rate == 0) return;
   period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.marker_rate));
@@ -18,11 +14,9 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
     return node.advertise<visualization_msgs::MarkerArray>(topic, 1);
   };
   body_publisher_ = advertise("markers");
-  const auto is_tool = [&](const Obstacle& shape) { return obstacles.isTool(shape); };
-  if (!std::all_of(obstacles.shapes.begin(), obstacles.shapes.end(), is_tool))
-    obstacle_publisher_ = advertise("obstacles");
+  if (!obstacles_.shapes.empty()) obstacle_publisher_ = advertise("obstacles");
   for (std::size_t i = 0; i < settings.tools.size(); ++i)
-    tools_.push_back({edges[i], advertise(settings.tools[i].topic("markers"))});
+    tools_.push_back({body.toolShapes(i), *body.toolEdge(i), advertise(settings.tools[i].topic("markers"))});
   thread_ = std::thread([this] { run(); });
 }
 
@@ -39,10 +33,11 @@ void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>&
   Snapshot snapshot;
   if (body_publisher_.getNumSubscribers() > 0) addSurface(body, &snapshot);
   if (obstacle_publisher_.getNumSubscribers() > 0) snapshot.links = links;
-  for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool)
-    if (tools_[tool].publisher.getNumSubscribers() > 0)
-      snapshot.tools.push_back(
-          {tool, ToolView{body_tools::pose(body, tool), body_tools::report(last_step, tool).force}});
+  for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
+    if (tools_[tool].publisher.getNumSubscribers() == 0) continue;
+    const Vec3 force = tool < last_step.tools.size() ? last_step.tools[tool].force : Vec3::Zero();
+    snapshot.tools.push_back({tool, ToolView{body.toolPose(tool), force}});
+  }
   if (snapshot.empty()) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -70,7 +65,7 @@ void MarkerPublisher::publish(const Snapshot& snapshot) const {
   if (snapshot.surface) body_publisher_.publish(toMarkers(*snapshot.surface, snapshot.positions, frame_, stamp));
   if (snapshot.links) obstacle_publisher_.publish(toMarkers(obstacles_, *snapshot.links, frame_, stamp));
   for (const auto& [tool, view] : snapshot.tools)
-    tools_[tool].publisher.publish(toMarkers(obstacles_, tool, tools_[tool].edge, view, frame_, stamp));
+    tools_[tool].publisher.publish(toMarkers(tools_[tool].shapes, tools_[tool].edge, view, frame_, stamp));
 }
 
 void MarkerPublisher::run() {

@@ -1,6 +1,5 @@
 #include "incision/ros/markers.h"
 
-#include "incision/ros/body_tools.h"
 #include "incision/ros/conversions.h"
 
 namespace incision {
@@ -8,7 +7,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-/// Of the ground as it is drawn [m]: as wide as a hall, and thin.
+/// Of a plane as it is drawn [m]: as wide as a hall, and thin.
 constexpr double GROUND_WIDTH = 100, GROUND_HEIGHT = 0.001;
 
 /// Of the tool's edge as it is drawn [m].
@@ -37,23 +36,24 @@ Marker markerOf(int type, const std::string& what, int id, const std_msgs::Color
   return marker;
 }
 
-int typeOf(ShapeKind kind) {
-  if (kind == ShapeKind::SPHERE) return Marker::SPHERE;
-  return kind == ShapeKind::CYLINDER ? Marker::CYLINDER : Marker::CUBE;
+int typeOf(Drawing::Primitive primitive) {
+  if (primitive == Drawing::Primitive::SPHERE) return Marker::SPHERE;
+  return primitive == Drawing::Primitive::CYLINDER ? Marker::CYLINDER : Marker::CUBE;
 }
 
-/// Edges of the box round the shape [m].
-Vec3 extents(const Shape& shape) {
-  const Vec3& size = shape.size;
-  if (shape.kind == ShapeKind::SPHERE) return Vec3::Constant(2 * size[0]);
-  if (shape.kind == ShapeKind::CYLINDER) return {2 * size[0], 2 * size[0], size[2]};
-  return shape.kind == ShapeKind::BOX ? size : Vec3(GROUND_WIDTH, GROUND_WIDTH, GROUND_HEIGHT);
-}
-
-/// Draws the shape, in the marker's frame, at a pose.
-void place(const Shape& shape, const Pose& pose, Marker* marker) {
-  marker->pose = toPoseMessage(pose);
-  marker->scale = toVector3(extents(shape));
+/// A solid that stands at `pose` in the marker's frame.
+Marker markerOf(const Solid& solid, const Pose& pose, const std::string& what, int id,
+                const std_msgs::ColorRGBA& colour, const std::string& frame, const ros::Time& stamp) {
+  const Drawing drawing = solid.drawing();
+  Marker marker = markerOf(typeOf(drawing.primitive), what, id, colour, frame, stamp);
+  marker.pose = toPoseMessage(pose);
+  marker.scale = toVector3(drawing.size);
+  if (drawing.primitive != Drawing::Primitive::PLANE) return marker;
+  Pose below;
+  below.position.z() = -GROUND_HEIGHT / 2;
+  marker.pose = toPoseMessage(composed(pose, below));
+  marker.scale = toVector3({GROUND_WIDTH, GROUND_WIDTH, GROUND_HEIGHT});
+  return marker;
 }
 
 }  // namespace
@@ -76,20 +76,17 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std:
                                           const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
   for (const Obstacle& obstacle : obstacles.shapes) {
-    if (obstacles.isTool(obstacle)) continue;
     const bool is_ground = obstacle.link == GROUND_LINK;
     const auto link = static_cast<std::size_t>(obstacle.link);
-    Pose pose = is_ground ? obstacle.pose : composed(links[link], obstacle.pose);
-    if (is_ground) pose.position.z() -= GROUND_HEIGHT / 2;
+    const Pose pose = is_ground ? obstacle.pose : composed(links[link], obstacle.pose);
     const int id = static_cast<int>(array.markers.size());
-    array.markers.push_back(markerOf(typeOf(obstacle.shape.kind), is_ground ? "ground" : obstacles.links[link].name, id,
+    array.markers.push_back(markerOf(*obstacle.solid, pose, is_ground ? "ground" : obstacles.links[link].name, id,
                                      colour(0.62F, 0.66F, 0.70F), frame, stamp));
-    place(obstacle.shape, pose, &array.markers.back());
   }
   return array;
 }
 
-visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, int tool, const Edge& edge, const ToolView& view,
+visualization_msgs::MarkerArray toMarkers(const Obstacles& shapes, const Edge& edge, const ToolView& view,
                                           const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
   if (!view.pose) {
@@ -105,12 +102,10 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, int tool, 
   array.markers[1].scale = toVector3(ARROW_SIZE);
   array.markers[1].points = {toPoint(view.pose->position), toPoint(head)};
   array.markers[1].action = view.force.isZero() ? Marker::DELETE : Marker::ADD;
-  for (const Obstacle& obstacle : obstacles.shapes) {
-    if (!body_tools::has(obstacles, tool, obstacle)) continue;
+  for (const Obstacle& shape : shapes.shapes) {
     const int id = static_cast<int>(array.markers.size());
-    array.markers.push_back(
-        markerOf(typeOf(obstacle.shape.kind), "shape", id, colour(0.75F, 0.77F, 0.80F), frame, stamp));
-    place(obstacle.shape, composed(*view.pose, obstacle.pose), &array.markers.back());
+    array.markers.push_back(markerOf(*shape.solid, composed(*view.pose, shape.pose), "shape", id,
+                                     colour(0.75F, 0.77F, 0.80F), frame, stamp));
   }
   return array;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "incision/ros/body_tools.h"
 #include "incision/ros/conversions.h"
 #include "incision/ros/tf_frames.h"
 
@@ -35,13 +34,6 @@ std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   return std::make_unique<WallPacer>(time_step);
 }
 
-std::vector<Edge> edgesOf(const DeformableBody& body, const NodeSettings& settings) {
-  std::vector<Edge> edges;
-  for (std::size_t i = 0; i < settings.tools.size(); ++i)
-    edges.push_back(body_tools::edge(body, static_cast<int>(i), settings.descriptions));
-  return edges;
-}
-
 SteadyTime now() { return std::chrono::steady_clock::now(); }
 
 }  // namespace
@@ -49,12 +41,11 @@ SteadyTime now() { return std::chrono::steady_clock::now(); }
 IncisionNode::IncisionNode()
     : settings_(loadSettings(node_)),
       body_(settings_.scene, loadMesh(settings_.scene), settings_.descriptions),
-      edges_(edgesOf(body_, settings_)),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
       agenda_(settings_.tools.size()),
       reporter_(node_, settings_.scene.body.frame, settings_.scene.fracture.has_value()),
-      markers_(node_, settings_, body_.obstacles(), edges_),
+      markers_(node_, settings_, body_),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
@@ -64,7 +55,7 @@ IncisionNode::IncisionNode()
                  settings_.scene.solver.time_step),
       spinner_(1) {
   for (std::size_t i = 0; i < settings_.tools.size(); ++i)
-    tools_.emplace_back(node_, static_cast<int>(i), settings_.tools[i], edges_[i], input_.frames(),
+    tools_.emplace_back(node_, i, settings_.tools[i], *body_.toolEdge(i), input_.frames(),
                         settings_.scene.solver.time_step);
   const BodyCounts counts = body_.counts();
   reporter_.setPieces(counts.pieces);
@@ -171,8 +162,11 @@ bool IncisionNode::tryStep() {
 
 /// Each change once, and those before a failure of the step too.
 void IncisionNode::reportChanges() {
-  for (const CutResult& result : std::exchange(last_step_.cuts, {})) reporter_.report(result);
-  for (const CrackResult& result : std::exchange(last_step_.cracks, {})) reporter_.report(result);
+  const Reports untold = body_.takeReports();
+  for (const auto& cuts : {std::exchange(last_step_.cuts, {}), untold.cuts})
+    for (const CutResult& result : cuts) reporter_.report(result);
+  for (const auto& cracks : {std::exchange(last_step_.cracks, {}), untold.cracks})
+    for (const CrackResult& result : cracks) reporter_.report(result);
 }
 
 void IncisionNode::stepFailed(const std::string& why) {

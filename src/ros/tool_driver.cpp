@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "incision/ros/body_tools.h"
 #include "incision/ros/conversions.h"
 #include "incision/ros/tf_frames.h"
 
@@ -26,8 +25,8 @@ std::string wrenchFrame(const ToolSettings& tool) {
 
 }  // namespace
 
-ToolDriver::ToolDriver(ros::NodeHandle& node, int tool, const ToolEntry& entry, const Edge& edge, const Frames& frames,
-                       double time_step)
+ToolDriver::ToolDriver(ros::NodeHandle& node, std::size_t tool, const ToolEntry& entry, const Edge& edge,
+                       const Frames& frames, double time_step)
     : tool_(tool),
       settings_(entry.settings),
       wrench_frame_(wrenchFrame(entry.settings)),
@@ -40,10 +39,10 @@ std::vector<CutResult> ToolDriver::lead(ToolInput input, const StepTime& time, D
   const ToolMove move = tracker_.follow(input, time.start, time.single);
   log(move);
   std::vector<CutResult> ended;
-  if (const auto stroke = body_tools::activate(body, tool_, move.active)) ended.push_back(*stroke);
+  if (const auto stroke = body->activateTool(move.active, tool_)) ended.push_back(*stroke);
   if (move.placed)
-    if (const auto stroke = body_tools::place(body, tool_, *move.placed)) ended.push_back(*stroke);
-  if (!move.path.empty()) body_tools::guide(body, tool_, move.path);
+    if (const auto stroke = body->placeTool(*move.placed, tool_)) ended.push_back(*stroke);
+  if (!move.path.empty()) body->guideTool(move.path, tool_);
   active_ = move.active;
   received_ = move.received;
   return ended;
@@ -67,7 +66,13 @@ void ToolDriver::addFrame(const StepTime& time, ToolInput* input) {
   input->poses.push_back({found->pose, time.start, std::chrono::steady_clock::now(), input->active});
 }
 
-void ToolDriver::publishWrench(const StepResult& step) { publishWrench(body_tools::report(step, tool_)); }
+/// What the step says of the tool; before the first step there is nothing to say.
+const ToolReport& ToolDriver::reportIn(const StepResult& step) const {
+  static const ToolReport none;
+  return tool_ < step.tools.size() ? step.tools[tool_] : none;
+}
+
+void ToolDriver::publishWrench(const StepResult& step) { publishWrench(reportIn(step)); }
 
 void ToolDriver::publishWrench(const ToolReport& report) {
   if (tracker_.stale()) {
@@ -97,11 +102,11 @@ std::optional<CutResult> ToolDriver::restart(DeformableBody* body) {
   received_.reset();
   active_ = true;
   publishWrench(ToolReport());
-  return body_tools::lift(body, tool_);
+  return body->liftTool(tool_);
 }
 
 void ToolDriver::addTo(const StepResult& step, BodyState* state) const {
-  const ToolReport& report = body_tools::report(step, tool_);
+  const ToolReport& report = reportIn(step);
   state->tool_active |= static_cast<std::uint8_t>(active_);
   state->tool_stale |= static_cast<std::uint8_t>(tracker_.stale());
   state->tool_depth = std::max(state->tool_depth, report.depth);

@@ -107,6 +107,7 @@ bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outpu
     }
   } catch (const StepFailed& failure) {
     progress.clear();
+    reportCuts(body.takeReports().cuts, body.time(), err);
     err << "incision_batch: step " << body.steps() + 1 << " failed: " << failure.what() << std::endl;
     return false;
   }

@@ -6,10 +6,10 @@
 namespace incision {
 namespace {
 
-std::unique_ptr<ToolContact> touchingShapes(const ToolSettings& settings, const std::string& urdf,
+std::unique_ptr<ToolContact> touchingShapes(const ToolSettings& settings, const Description& description,
                                             const std::optional<Edge>& edge, ContactSkin* skin) {
-  if (!skin || settings.link.empty() || urdf.empty()) return nullptr;
-  Obstacles shapes = loadLink(settings.link, urdf, settings.description);
+  if (!skin || settings.link.empty() || description.links.empty()) return nullptr;
+  Obstacles shapes = loadLink(description, settings.link);
   if (shapes.shapes.empty()) return nullptr;
   return std::make_unique<ToolContact>(std::move(shapes), settings.friction, edge, skin);
 }
@@ -18,9 +18,11 @@ std::unique_ptr<ToolContact> touchingShapes(const ToolSettings& settings, const 
 
 std::unique_ptr<Tool> makeTool(const ToolSettings& settings, const std::string& urdf,
                                const ToolSurroundings& surroundings) {
-  const Edge edge = bladeEdge(settings, urdf, settings.description);
+  Description description{settings.description, {}};
+  if (!urdf.empty()) description = parseDescription(urdf, settings.description);
+  const Edge edge = bladeEdge(settings, description);
   return std::make_unique<Blade>(settings, edge, surroundings.materials, surroundings.mesh,
-                                 touchingShapes(settings, urdf, edge, surroundings.skin));
+                                 touchingShapes(settings, description, edge, surroundings.skin));
 }
 
 }  // namespace incision

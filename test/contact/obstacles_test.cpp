@@ -61,16 +61,13 @@ TEST(Obstacles, AreAllCollisionShapesOfAllLinks) {
   EXPECT_EQ(room.links[0].name, "floor");
   EXPECT_EQ(room.links[1].name, "post");
   ASSERT_EQ(room.shapes.size(), 3u);
-  EXPECT_EQ(room.shapes[0].shape.kind, ShapeKind::BOX);
-  EXPECT_EQ(room.shapes[0].shape.size, Vec3(1, 2, 3));
-  EXPECT_EQ(room.shapes[0].link, 0);
-  EXPECT_EQ(room.shapes[1].shape.kind, ShapeKind::SPHERE);
-  EXPECT_EQ(room.shapes[1].shape.size[0], 0.5);
-  EXPECT_EQ(room.shapes[1].link, 0);
-  EXPECT_EQ(room.shapes[2].shape.kind, ShapeKind::CYLINDER);
-  EXPECT_EQ(room.shapes[2].shape.size[0], 0.1);
-  EXPECT_EQ(room.shapes[2].shape.size[2], 4);
-  EXPECT_EQ(room.shapes[2].link, 1);
+  const auto is = [&](int shape, Drawing::Primitive primitive, const Vec3& size, int link) {
+    const Drawing drawing = room.shapes[shape].solid->drawing();
+    return drawing.primitive == primitive && drawing.size == size && room.shapes[shape].link == link;
+  };
+  EXPECT_TRUE(is(0, Drawing::Primitive::BOX, Vec3(1, 2, 3), 0));
+  EXPECT_TRUE(is(1, Drawing::Primitive::SPHERE, Vec3(1, 1, 1), 0));
+  EXPECT_TRUE(is(2, Drawing::Primitive::CYLINDER, Vec3(0.2, 0.2, 4), 1));
 }
 
 TEST(Obstacles, StandWhereTheJointsPutThem) {
@@ -91,7 +88,7 @@ TEST(Obstacles, GroundIsAHalfSpaceThatBelongsToNoLink) {
   const Obstacles obstacles = loadObstacles(settings, "", "");
   EXPECT_TRUE(obstacles.links.empty());
   ASSERT_EQ(obstacles.shapes.size(), 1u);
-  EXPECT_EQ(obstacles.shapes[0].shape.kind, ShapeKind::HALF_SPACE);
+  EXPECT_EQ(obstacles.shapes[0].solid->drawing().primitive, Drawing::Primitive::PLANE);
   EXPECT_EQ(obstacles.shapes[0].pose.position, Vec3(0, 0, -0.25));
   EXPECT_EQ(obstacles.shapes[0].link, GROUND_LINK);
 }

@@ -1,5 +1,6 @@
 // Whatever a description is, reading it gives an edge with two finite ends or an InputError, and obstacles that are
 // solid and somewhere or an InputError.
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -23,11 +24,7 @@ void readTool(const std::string& urdf) {
   require(edge[0].allFinite() && edge[1].allFinite() && edge[0] != edge[1]);
 }
 
-bool isSolid(const Shape& shape) {
-  const Vec3& size = shape.size;
-  if (shape.kind == ShapeKind::BOX) return size.allFinite() && (size.array() > 0).all();
-  return size.allFinite() && size[0] > 0 && (shape.kind == ShapeKind::SPHERE || size[2] > 0);
-}
+bool hasSize(const Solid& solid) { return solid.thickness() > 0 && std::isfinite(solid.reach()); }
 
 bool isSomewhere(const Pose& pose) { return pose.position.allFinite() && std::abs(pose.orientation.norm() - 1) < 1e-9; }
 
@@ -37,7 +34,7 @@ void readObstacles(const std::string& urdf) {
   const Obstacles obstacles = loadObstacles(settings, urdf, settings.obstacles);
   require(!obstacles.shapes.empty());
   for (const Obstacle& obstacle : obstacles.shapes) {
-    require(isSolid(obstacle.shape) && isSomewhere(obstacle.pose));
+    require(hasSize(*obstacle.solid) && isSomewhere(obstacle.pose));
     require(isSomewhere(obstacles.links.at(static_cast<std::size_t>(obstacle.link)).pose));
   }
 }

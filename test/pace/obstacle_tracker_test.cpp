@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "incision/rigid/half_space.h"
+#include "incision/rigid/sphere.h"
 #include "pace/frames_in_tests.h"
 
 namespace incision {
@@ -16,7 +18,7 @@ constexpr double ROUNDING = 1e-14;  // of coordinates below 10
 /// Two links, each with a sphere: `arm` at x = 1, `post` at x = 2.
 Obstacles twoLinks() {
   Obstacles obstacles;
-  const Shape sphere = {ShapeKind::SPHERE, Vec3(0.5, 0, 0)};
+  const auto sphere = std::make_shared<Sphere>(0.5);
   for (const char* name : {"arm", "post"}) {
     const int link = static_cast<int>(obstacles.links.size());
     Pose pose;
@@ -24,7 +26,7 @@ Obstacles twoLinks() {
     obstacles.links.push_back({name, pose});
     obstacles.shapes.push_back({sphere, Pose(), link});
   }
-  obstacles.shapes.emplace_back();  // the ground
+  obstacles.shapes.push_back({std::make_shared<HalfSpace>(), Pose(), GROUND_LINK});
   return obstacles;
 }
 

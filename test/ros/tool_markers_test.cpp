@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "incision/rigid/box.h"
+#include "incision/rigid/sphere.h"
 #include "incision/ros/markers.h"
 
 namespace incision {
@@ -16,8 +18,8 @@ Obstacles postAndTool() {
   obstacles.links = {{"post", Pose()}, {"blade", Pose()}};
   Pose middle;
   middle.position.z() = 0.03;
-  obstacles.shapes = {{{ShapeKind::SPHERE, Vec3(0.5, 0, 0)}, Pose(), 0},
-                      {{ShapeKind::BOX, Vec3(0.01, 0.001, 0.06)}, middle, 1}};
+  obstacles.shapes = {{std::make_shared<Sphere>(0.5), Pose(), 0},
+                      {std::make_shared<Box>(Vec3(0.01, 0.001, 0.06)), middle, 1}};
   obstacles.tool_link = 1;
   return obstacles;
 }

@@ -4,17 +4,16 @@
 #include <vector>
 
 #include "incision/contact/settings.h"
-#include "incision/rigid/pose.h"
-#include "incision/rigid/shape.h"
+#include "incision/rigid/description.h"
 
 namespace incision {
 
 /// `Obstacle::link` of the ground, which belongs to no link and never moves.
 inline constexpr int GROUND_LINK = -1;
 
-/// A rigid shape that the body cannot enter.
+/// A rigid solid that the body cannot enter.
 struct Obstacle {
-  Shape shape;
+  SolidPtr solid;
   Pose pose;  ///< in its link's frame; the ground's in the body's
   int link = GROUND_LINK;
 };
@@ -39,8 +38,8 @@ inline constexpr std::size_t MAX_OBSTACLES = 1000;
 /// that is a mesh, has a size that is not positive, or lies out of range.
 Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name);
 
-/// The collision shapes of one link of a description, if it has any; they belong to link 0. Throws InputError as
-/// loadObstacles does for a shape, and where there is no such link.
-Obstacles loadLink(const std::string& link, const std::string& urdf, const std::string& name);
+/// The collision shapes of one link of a description, if it has any; they belong to link 0. Throws InputError for the
+/// shapes for which loadObstacles does, and where there is no such link.
+Obstacles loadLink(const Description& description, const std::string& link);
 
 }  // namespace incision

@@ -22,8 +22,8 @@ struct LinkMove {
   std::optional<double> jump_speed = {};  ///< [m/s] at which it would have moved there, where that is too fast
 };
 
-/// Follows the obstacles' links, by the frames of their names. A link of which nothing is known stays where it is, and
-/// those of tools are left alone. Used by the stepping thread, which it never makes wait.
+/// Follows the obstacles' links, by the frames of their names. A link of which nothing is known stays where it is. Used
+/// by the stepping thread, which it never makes wait.
 class ObstacleTracker {
  public:
   /// `time_step` [s].
@@ -51,7 +51,6 @@ class ObstacleTracker {
     Nanoseconds stamp = 0;  ///< of the target
     Approach approach;      ///< to the target
     bool found = false;     ///< since the start
-    bool of_tool = false;   ///< which the body itself moves
   };
   void aim(const StampedPose& target, Link* link, LinkMove* move) const;
 

@@ -4,15 +4,13 @@
 
 namespace incision {
 
-/// The even motion of a rigid thing over a step.
+/// How a rigid thing moves over a step: its origin on a straight line, turning about one axis, both at an even rate.
 struct RigidMotion {
-  Pose from, to;  ///< when the step starts and when it ends
+  Pose from;  ///< when the step starts
+  Pose to;    ///< when it ends
 
-  /// Where it is when this share of the step has passed, from 0 to 1.
-  Pose at(double share) const {
-    if (share == 0) return from;
-    return share == 1 ? to : between(from, to, share);
-  }
+  /// The pose when a share of the step, from 0 to 1, is over.
+  Pose at(double share) const { return between(from, to, share); }
 };
 
 }  // namespace incision

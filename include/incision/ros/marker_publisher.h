@@ -19,9 +19,7 @@ namespace incision {
 /// only copies positions; messages are built and sent on a thread of its own, which skips what it is too slow for.
 class MarkerPublisher {
  public:
-  /// `edges`: of the tools.
-  MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const Obstacles& obstacles,
-                  const std::vector<Edge>& edges);
+  MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body);
   ~MarkerPublisher();
 
   /// Hands over the body's surface, where the obstacles' `links` and the tools are, and the forces on the tools in the
@@ -33,6 +31,7 @@ class MarkerPublisher {
  private:
   /// Of a tool.
   struct ToolOutput {
+    Obstacles shapes;
     Edge edge;
     ros::Publisher publisher;
   };
@@ -41,7 +40,7 @@ class MarkerPublisher {
     std::shared_ptr<const Surface> surface;
     std::vector<Vec3> positions;
     std::optional<std::vector<Pose>> links;
-    std::vector<std::pair<int, ToolView>> tools;  ///< by index
+    std::vector<std::pair<std::size_t, ToolView>> tools;  ///< by index
 
     bool empty() const { return !surface && !links && tools.empty(); }
   };

@@ -15,7 +15,7 @@ namespace incision {
 visualization_msgs::MarkerArray toMarkers(const Surface& surface, const std::vector<Vec3>& x, const std::string& frame,
                                           const ros::Time& stamp);
 
-/// The obstacles' shapes, the ground among them but not those of tools, while their links are at these poses.
+/// The obstacles' shapes, the ground among them, while their links are at these poses.
 visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std::vector<Pose>& links,
                                           const std::string& frame, const ros::Time& stamp);
 
@@ -28,9 +28,9 @@ struct ToolView {
   Vec3 force = Vec3::Zero();  ///< of the tissue on the tool, in the frame of its link [N]
 };
 
-/// The shapes of the tool of index `tool` among the obstacles, if it has any, its edge as a line, and the force on it
-/// as an arrow from the link's origin. No tool in place: deletes them all.
-visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, int tool, const Edge& edge, const ToolView& view,
+/// A tool's shapes, if it has any, its edge as a line, and the force on it as an arrow from the link's origin. No tool
+/// in place: deletes them all.
+visualization_msgs::MarkerArray toMarkers(const Obstacles& shapes, const Edge& edge, const ToolView& view,
                                           const std::string& frame, const ros::Time& stamp);
 
 }  // namespace incision

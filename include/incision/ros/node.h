@@ -56,7 +56,6 @@ class IncisionNode {
   ros::NodeHandle node_{"~"};
   NodeSettings settings_;
   DeformableBody body_;
-  const std::vector<Edge> edges_;  ///< of the tools
   std::unique_ptr<Pacer> pacer_;
 
   Wakeup wakeup_;

@@ -27,7 +27,7 @@ struct StepTime {
 class ToolDriver {
  public:
   /// `tool`: its index.
-  ToolDriver(ros::NodeHandle& node, int tool, const ToolEntry& entry, const Edge& edge, const Frames& frames,
+  ToolDriver(ros::NodeHandle& node, std::size_t tool, const ToolEntry& entry, const Edge& edge, const Frames& frames,
              double time_step);
 
   /// Before a step: the tool goes where the poses have it. Returns the strokes that ended with that.
@@ -45,12 +45,13 @@ class ToolDriver {
   void addTo(const StepResult& step, BodyState* state) const;
 
  private:
+  const ToolReport& reportIn(const StepResult& step) const;
   void addFrame(const StepTime& time, ToolInput* input);
   void log(const ToolMove& move) const;
   void publishWrench(const ToolReport& report);
   void publish(const ros::Time& stamp, const Vec3& force, const Vec3& torque);
 
-  const int tool_;
+  const std::size_t tool_;
   const ToolSettings settings_;
   const std::string wrench_frame_;
   LinkLookup lookup_;
