@@ -3,6 +3,7 @@
 // better brings it down.
 #include <gtest/gtest.h>
 
+#include "incision/base/resolve_path.h"
 #include "support/sanitized.h"
 #include "support/scenes.h"
 

@@ -88,7 +88,7 @@ TEST(FragmentFinder, FindsFacesJustCutTouchingAndNoMore) {
     EXPECT_LT(std::abs(candidate.gap), 1e-12);
     EXPECT_TRUE(rig.surface.cut_face[rig.contact.around[rig.contact.samples[candidate.sample].first]]);
     EXPECT_NEAR(
-        std::accumulate(candidate.held.weights.begin(), candidate.held.weights.begin() + candidate.held.count, 0.0), 0,
+        std::accumulate(candidate.point.weights.begin(), candidate.point.weights.begin() + candidate.point.count, 0.0), 0,
         1e-12);
     stiffness += candidate.stiffness * candidate.size;
   }

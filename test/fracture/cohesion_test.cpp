@@ -27,9 +27,12 @@ FractureSettings cohesive() {
 /// A bar that a crack has gone through, whose halves a test moves apart.
 class BrokenBar : public Rig {
  public:
-  BrokenBar() : Rig(block({4, 2, 2}, Vec3(1, 0.25, 0.25)), RigSettings()), cohesion(cohesive(), YOUNG) {
+  BrokenBar()
+      : Rig(block({4, 2, 2}, Vec3(1, 0.25, 0.25)), RigSettings()),
+        materials(mesh.mesh(), material()),
+        cohesion(cohesive(), materials) {
     cohesion.add(cut(plane(Vec3(0.47, 0, 0), Vec3::UnitX())), mesh, motion.x);
-    cohesion.topologyChanged(mesh);
+    cohesion.changed(mesh);
     int count = 0;
     piece = mesh.copyPieces(&count);
   }
@@ -39,11 +42,11 @@ class BrokenBar : public Rig {
     std::vector<Vec3> v(motion.x.size(), Vec3::Zero());
     for (std::size_t c = 0; c < v.size(); ++c)
       if (onPositiveSide(static_cast<int>(c))) v[c] = by / TIME_STEP;
-    cohesion.begin(mesh, motion.x);
-    std::vector<Coupling> couplings;
-    while (cohesion.update(TIME_STEP, v, &couplings)) couplings.clear();
+    const bool bonded = begin();
+    std::vector<Coupling> springs;
+    while (bonded && cohesion.update({TIME_STEP}, v, &springs)) springs.clear();
     std::vector<Vec3> impulses(v.size(), Vec3::Zero());
-    addImpulses(couplings, TIME_STEP, v, &impulses);
+    addImpulses(springs, TIME_STEP, v, &impulses);
     Vec3 force = Vec3::Zero(), all = Vec3::Zero();
     for (std::size_t c = 0; c < v.size(); ++c) {
       motion.x[c] += TIME_STEP * v[c];
@@ -51,13 +54,22 @@ class BrokenBar : public Rig {
       if (onPositiveSide(static_cast<int>(c))) force += impulses[c] / TIME_STEP;
     }
     EXPECT_LT(all.norm(), 1e-12);  // action and reaction
-    cohesion.accept(motion.x);
+    if (bonded) cohesion.accept({TIME_STEP}, motion, Wrench());
     return force;
   }
 
+  /// Begins a step; returns whether any bond may act in it.
+  bool begin() { return cohesion.begin({{TIME_STEP}, mesh, piece, motion}); }
+
+  Materials materials;
   Cohesion cohesion;
 
  private:
+  static Material material() {
+    Material material;
+    material.young_modulus = YOUNG;
+    return material;
+  }
   bool onPositiveSide(int copy) const { return piece[copy] != piece[mesh.ownCopy(0)]; }
   std::vector<int> piece;
 };
@@ -74,7 +86,7 @@ TEST(Cohesion, TheTractionFallsFromTheStrengthToNothing) {
   EXPECT_GT(highest, 0.9);
   EXPECT_LE(highest, 1 + 1e-12);
   EXPECT_EQ(bar.move(Vec3(LAST, 0, 0)).norm(), 0);
-  EXPECT_TRUE(bar.cohesion.empty());
+  EXPECT_FALSE(bar.begin());
 }
 
 TEST(Cohesion, OpeningTakesTheFractureEnergyWhateverTheDirection) {
@@ -123,11 +135,11 @@ TEST(Cohesion, ALaterCrackDoesNotChangeWhatTheFacesFeel) {
   whole.move(by);
   halved.move(by);
   halved.cut(plane(Vec3(0, 0.11, 0), Vec3::UnitY()));
-  halved.cohesion.topologyChanged(halved.mesh);
+  halved.cohesion.changed(halved.mesh);
   const double spent = halved.cohesion.dissipated();
   std::vector<Coupling> couplings;
-  halved.cohesion.begin(halved.mesh, halved.motion.x);
-  halved.cohesion.update(TIME_STEP, std::vector<Vec3>(halved.motion.x.size(), Vec3::Zero()), &couplings);
+  ASSERT_TRUE(halved.begin());
+  halved.cohesion.update({TIME_STEP}, std::vector<Vec3>(halved.motion.x.size(), Vec3::Zero()), &couplings);
   int count = 0;
   const std::vector<int> piece = halved.mesh.copyPieces(&count);
   ASSERT_EQ(count, 4);

@@ -7,7 +7,7 @@
 
 #include "incision/base/input_error.h"
 #include "incision/contact/obstacles.h"
-#include "incision/tool/settings.h"
+#include "incision/tool/blade/blade_edge.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ void require(bool holds) {
 void readTool(const std::string& urdf) {
   ToolSettings tool;
   tool.link = "blade";
-  const Edge edge = bladeEdge(tool, urdf, "tool.urdf");
+  const Edge edge = bladeEdge(tool, parseDescription(urdf, "tool.urdf"));
   require(edge[0].allFinite() && edge[1].allFinite() && edge[0] != edge[1]);
 }
 

@@ -125,14 +125,6 @@ TEST_F(ObstacleTrackerTest, AJumpSweepsNothing) {
   EXPECT_FALSE(tracker.follow(0).at(0).at_once);
 }
 
-TEST_F(ObstacleTrackerTest, ALinkOfAToolIsLeftAlone) {
-  Obstacles obstacles = twoLinks();
-  obstacles.tool_link = 0;
-  ObstacleTracker other(LinkLookup(frames, nullptr), obstacles, TIME_STEP);
-  publish("arm", 10'000 * MS, 1.01);
-  EXPECT_TRUE(other.follow(0).empty());
-}
-
 TEST_F(ObstacleTrackerTest, ALinkWithoutAWayToTheBodyStaysAndIsCounted) {
   frames.mention("arm");
   EXPECT_TRUE(tracker.follow(0).empty());

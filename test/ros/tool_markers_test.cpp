@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "incision/rigid/box.h"
-#include "incision/rigid/sphere.h"
 #include "incision/ros/markers.h"
 
 namespace incision {
@@ -12,33 +11,25 @@ using visualization_msgs::Marker;
 constexpr double ROUNDING = 1e-14;  // of coordinates below 10
 const Edge EDGE = {Vec3::Zero(), Vec3(0, 0, 0.06)};
 
-/// A post, and a tool with one box.
-Obstacles postAndTool() {
-  Obstacles obstacles;
-  obstacles.links = {{"post", Pose()}, {"blade", Pose()}};
+/// The shapes of a tool with one box.
+Obstacles tool() {
+  Obstacles shapes;
+  shapes.links = {{"blade", Pose()}};
   Pose middle;
   middle.position.z() = 0.03;
-  obstacles.shapes = {{std::make_shared<Sphere>(0.5), Pose(), 0},
-                      {std::make_shared<Box>(Vec3(0.01, 0.001, 0.06)), middle, 1}};
-  obstacles.tool_link = 1;
-  return obstacles;
+  shapes.shapes = {{std::make_shared<Box>(Vec3(0.01, 0.001, 0.06)), middle, 0}};
+  return shapes;
 }
 
-visualization_msgs::MarkerArray draw(const ToolView& tool) {
-  return toMarkers(postAndTool(), 0, EDGE, tool, "body", ros::Time());
-}
-
-TEST(ToolMarkers, TheToolIsNoneOfTheObstacles) {
-  const auto array = toMarkers(postAndTool(), {Pose(), Pose()}, "body", ros::Time());
-  ASSERT_EQ(1u, array.markers.size());
-  EXPECT_EQ("post", array.markers[0].ns);
+visualization_msgs::MarkerArray draw(const ToolView& view) {
+  return toMarkers(tool(), EDGE, view, "body", ros::Time());
 }
 
 TEST(ToolMarkers, EdgeShapesAndForceStandWhereTheToolIs) {
-  ToolView tool;
-  tool.pose = Pose{Vec3(1, 2, 3), Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitY()))};  // z to x
-  tool.force = Vec3(0, 0, 5);
-  const auto array = draw(tool);
+  ToolView view;
+  view.pose = Pose{Vec3(1, 2, 3), Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitY()))};  // z to x
+  view.force = Vec3(0, 0, 5);
+  const auto array = draw(view);
   ASSERT_EQ(3u, array.markers.size());
   EXPECT_EQ(Marker::LINE_LIST, array.markers[0].type);
   EXPECT_NEAR(1.06, array.markers[0].points.at(1).x, ROUNDING);

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "incision/solver/direct_solver.h"
-#include "support/rig.h"
+#include "support/given_springs.h"
 
 namespace incision {
 namespace {
@@ -46,11 +46,12 @@ std::vector<Coupling> randomSprings(const Rig& rig, double stiffness) {
 }
 
 bool advance(Rig* rig, const std::vector<Coupling>& springs) {
-  return rig->step.advance(rig->time, rig->time_step, &rig->motion,
-                           [&](double, const std::vector<Vec3>&, std::vector<Coupling>* couplings) {
-                             *couplings = springs;
-                             return false;
-                           });
+  GivenSprings given([&](const std::vector<Vec3>&, std::vector<Coupling>* list) {
+    *list = springs;
+    return false;
+  });
+  Couplers couplers({&given});
+  return advanceWith(rig, &couplers);
 }
 
 // An element here is about 1e5 Pa × 0.125 m = 1e4 N/m stiff.
@@ -120,18 +121,19 @@ TEST(Coupling, ThatMovesOnLeavesNoTrailInTheFactor) {
   EXPECT_EQ(solver.extraBlocks(), 0);
 }
 
-// As the couplings ask for it, until they are content.
+// Each solve is followed by a question, until the coupler is content.
 TEST(Coupling, IsUpdatedAfterEachSolve) {
   ThrownPieces rig(Method::DIRECT);
   const auto springs = randomSprings(rig, 1e4);
   std::vector<Vec3> v_last;
   int calls = 0;
-  ASSERT_TRUE(rig.step.advance(0, rig.time_step, &rig.motion,
-                               [&](double, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
-                                 couplings->assign(springs.begin(), springs.begin() + 10 * std::min(calls, 3));
-                                 v_last = v_end;
-                                 return ++calls < 4;
-                               }));
+  GivenSprings given([&](const std::vector<Vec3>& v_end, std::vector<Coupling>* list) {
+    list->assign(springs.begin(), springs.begin() + 10 * std::min(calls, 3));
+    v_last = v_end;
+    return ++calls < 4;
+  });
+  Couplers couplers({&given});
+  ASSERT_TRUE(advanceWith(&rig, &couplers));
   EXPECT_EQ(calls, 4);
   EXPECT_EQ(largestDifference(v_last, rig.motion.v), 0);
 }

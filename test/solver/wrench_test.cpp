@@ -4,7 +4,7 @@
 #include <random>
 
 #include "incision/solver/coupling.h"
-#include "support/rig.h"
+#include "support/given_springs.h"
 
 namespace incision {
 namespace {
@@ -25,7 +25,6 @@ std::vector<Coupling> springsTo(const Rig& rig, unsigned seed) {
     for (const double weight : {0.1, 0.2, 0.3, 0.4}) spring.add(anyCopy(generator), weight);
     spring.stiffness = 1e4 * (Mat3::Identity() + 1e-4 * force * force.transpose());
     spring.force = force;
-    spring.tool = true;
     springs.push_back(spring);
   }
   return springs;
@@ -33,7 +32,7 @@ std::vector<Coupling> springsTo(const Rig& rig, unsigned seed) {
 
 TEST(Wrench, IsAgainstTheImpulsesAndTheirMoment) {
   Rig rig(block({2, 2, 2}, Vec3::Ones()), settings());
-  std::vector<Coupling> springs = springsTo(rig, 1);
+  const std::vector<Coupling> springs = springsTo(rig, 1);
   const std::vector<Vec3> v_end = randomVectors(rig.motion.x.size(), 1, 2);
   std::vector<Vec3> impulses(rig.motion.x.size(), Vec3::Zero());
   addImpulses(springs, rig.time_step, v_end, &impulses);
@@ -42,11 +41,14 @@ TEST(Wrench, IsAgainstTheImpulsesAndTheirMoment) {
     sum.force -= impulses[c] / rig.time_step;
     sum.torque -= rig.motion.x[c].cross(impulses[c]) / rig.time_step;
   }
-  const Wrench wrench = toolWrench(springs, rig.time_step, rig.motion.x, v_end);
+  Wrench wrench;
+  for (const Coupling& spring : springs) {
+    const Wrench one = wrenchOf(spring, rig.time_step, rig.motion.x, v_end);
+    wrench.force += one.force;
+    wrench.torque += one.torque;
+  }
   EXPECT_LT((wrench.force - sum.force).norm(), 1e-12 * sum.force.norm());
   EXPECT_LT((wrench.torque - sum.torque).norm(), 1e-12 * sum.torque.norm());
-  for (Coupling& spring : springs) spring.tool = false;
-  EXPECT_EQ(toolWrench(springs, rig.time_step, rig.motion.x, v_end).force, Vec3::Zero());
 }
 
 // Couplings that are never content: the step ends somewhere between two solves.
@@ -57,29 +59,36 @@ TEST(Wrench, TakesTheMomentumThatTheBodyGainsWhereverTheStepEnds) {
     for (int n = 0; n < 5; ++n) {
       const Vec3 before = rig.momentum();
       int calls = 0;
-      ASSERT_TRUE(rig.step.advance(0, rig.time_step, &rig.motion,
-                                   [&](double, const std::vector<Vec3>&, std::vector<Coupling>* couplings) {
-                                     *couplings = springs[calls % 2];
-                                     ++calls;
-                                     return alternate;
-                                   }));
+      GivenSprings given([&](const std::vector<Vec3>&, std::vector<Coupling>* list) {
+        *list = springs[calls % 2];
+        ++calls;
+        return alternate;
+      });
+      Couplers couplers({&given});
+      ASSERT_TRUE(advanceWith(&rig, &couplers));
       EXPECT_EQ(calls > 3, alternate);
-      const Vec3 given = -rig.time_step * rig.step.onTool().force;
-      EXPECT_LT((rig.momentum() - before - given).norm(), 1e-10 * given.norm()) << alternate;
+      const Vec3 impulse = -rig.time_step * given.felt().force;
+      EXPECT_LT((rig.momentum() - before - impulse).norm(), 1e-10 * impulse.norm()) << alternate;
     }
   }
 }
 
-TEST(Wrench, IsNoneInAStepWithoutCouplings) {
+TEST(Wrench, GoesToTheCouplerWhoseSpringsGiveIt) {
   Rig rig(block({2, 2, 2}, Vec3::Ones()), settings());
-  ASSERT_TRUE(rig.step.advance(0, rig.time_step, &rig.motion,
-                               [&](double, const std::vector<Vec3>&, std::vector<Coupling>* couplings) {
-                                 *couplings = springsTo(rig, 1);
-                                 return false;
-                               }));
-  EXPECT_GT(rig.step.onTool().force.norm(), 0);
-  ASSERT_TRUE(rig.advance());
-  EXPECT_EQ(rig.step.onTool().force, Vec3::Zero());
+  const auto giving = [&](unsigned seed) {
+    return GivenSprings([&rig, seed](const std::vector<Vec3>&, std::vector<Coupling>* list) {
+      for (const Coupling& spring : springsTo(rig, seed)) list->push_back(spring);
+      return false;
+    });
+  };
+  GivenSprings first = giving(1), second = giving(2), none([](const auto&, auto*) { return false; });
+  Couplers couplers({&first, &none, &second});
+  const Vec3 before = rig.momentum();
+  ASSERT_TRUE(advanceWith(&rig, &couplers));
+  EXPECT_GT(first.felt().force.norm(), 0);
+  EXPECT_EQ(none.felt().force, Vec3::Zero());
+  const Vec3 impulse = -rig.time_step * (first.felt().force + second.felt().force);
+  EXPECT_LT((rig.momentum() - before - impulse).norm(), 1e-10 * impulse.norm());
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 
 #include <string>
 
-#include "incision/contact/contact.h"
-#include "support/rig.h"
+#include "incision/contact/body_contact.h"
+#include "incision/tool/tool_contact.h"
+#include "support/given_springs.h"
 
 namespace incision {
 
@@ -13,6 +14,9 @@ inline std::string toolUrdf(const std::string& shape, const std::string& xyz = "
          "</geometry></collision></link></robot>";
 }
 
+/// The shapes of that link.
+inline Obstacles bladeOf(const std::string& urdf) { return loadLink(parseDescription(urdf, "tool.urdf"), "blade"); }
+
 /// An edge that is far from every shape of these tests.
 inline const Edge FAR_EDGE = {Vec3(0, 0, 100), Vec3(0, 0, 101)};
 
@@ -21,49 +25,48 @@ struct ToolRig : Rig {
   ToolRig(TetMesh rest, const RigSettings& settings, const ContactSettings& touching, const std::string& urdf,
           double friction, const Edge& edge = FAR_EDGE)
       : Rig(std::move(rest), settings),
-        contact(touching, obstaclesWith({"blade", friction, edge}, touching, urdf), settings.material.young_modulus, 1),
-        tool(contact.obstacles().tool_link) {
-    for (const ObstacleLink& link : contact.obstacles().links) links.to.push_back(link.pose);
-    links.from = links.to;
-    surfaceChanged();
-  }
-
-  static Obstacles obstaclesWith(const ToolBody& tool, const ContactSettings& touching, const std::string& urdf) {
-    Obstacles obstacles = loadObstacles(touching, "", "");
-    addTool(tool, urdf, "tool.urdf", &obstacles);
-    return obstacles;
+        materials(mesh.mesh(), settings.material),
+        surface(mesh),
+        skin(surface, materials, 1),
+        obstacles(loadObstacles(touching, "", "")),
+        contact(touching, obstacles, motions, &skin),
+        tool_contact(bladeOf(urdf), friction, edge, &skin),
+        couplers({&contact, &tool_contact}) {
+    tool_contact.setTool(&tool);
   }
 
   void surfaceChanged() {
-    surface = buildSurface(mesh);
-    contact.surfaceChanged(surface, mesh, step.pieceOf());
+    surface.changed();
+    couplers.changed(mesh);
   }
 
   void place(const Pose& pose) {
-    links.from[tool] = links.to[tool] = pose;
-    links.has_tool = true;
+    tool.motion = {pose, pose};
+    tool.in_place = true;
   }
 
   /// Takes a step in which the tool goes to `pose`.
   ContactReport moveTo(const Pose& pose) {
-    links.to[tool] = pose;
-    contact.begin(motion, time_step, links);
-    const auto couple = [&](double dt, const std::vector<Vec3>& v_end, std::vector<Coupling>* couplings) {
-      couplings->clear();
-      return contact.update(dt, v_end, couplings);
-    };
-    EXPECT_TRUE(step.advance(time, time_step, &motion, couple));
-    time += time_step;
-    links.from = links.to;
-    return contact.accept(time_step, motion.v);
+    tool.motion.to = pose;
+    tool.felt = Wrench();
+    EXPECT_TRUE(advanceWith(this, &couplers));
+    tool.motion.from = pose;
+    ContactReport report = contact.report();
+    report.add(tool_contact.report());
+    return report;
   }
 
-  const Wrench& onTool() const { return step.onTool(); }
+  const Wrench& onTool() const { return tool.felt; }
 
-  Surface surface;
-  Contact contact;
-  LinkMotion links;
-  int tool;
+  Materials materials;
+  CurrentSurface surface;
+  ContactSkin skin;
+  Obstacles obstacles;
+  std::vector<RigidMotion> motions;  // of the obstacles' links: there are none
+  BodyContact contact;
+  ToolContact tool_contact;
+  ToolInStep tool;
+  Couplers couplers;
 };
 
 inline Pose at(const Vec3& position) {

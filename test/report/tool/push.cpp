@@ -65,8 +65,8 @@ Trace push(const Push& setting) {
     body.guideTool({pose});
     const StepResult result = body.step();
     trace.depth.push_back(pose.position.x());
-    trace.force.push_back(-result.tool.force.x());
-    trace.area.push_back(result.tool.stroke_area);
+    trace.force.push_back(-result.tools[0].force.x());
+    trace.area.push_back(result.tools[0].stroke_area);
     trace.opening.push_back(openingOf(body));
   }
   return trace;

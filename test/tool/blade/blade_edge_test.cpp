@@ -26,7 +26,7 @@ std::string box(const std::string& size, const std::string& origin = "") {
 Edge edgeOf(const std::string& urdf, const std::string& link = "blade") {
   ToolSettings tool;
   tool.link = link;
-  return bladeEdge(tool, urdf, "tool.urdf");
+  return bladeEdge(tool, parseDescription(urdf, "tool.urdf"));
 }
 
 // What is said of a description, and what urdfdom printed; the former empty when it is accepted.
@@ -71,15 +71,15 @@ TEST(BladeEdge, ComesFromTheFirstBox) {
 TEST(BladeEdge, GivenEdgeNeedsNoDescription) {
   ToolSettings tool;
   tool.edge = {Vec3(0, 0, 0), Vec3(0, 0, 0.1)};
-  EXPECT_EQ(bladeEdge(tool, "", "tool"), *tool.edge);
+  EXPECT_EQ(bladeEdge(tool, {"tool", {}}), *tool.edge);
 }
 
 TEST(BladeEdge, GivenEdgeMustHaveTwoFiniteEnds) {
   ToolSettings tool;
   tool.edge = {Vec3(1, 2, 3), Vec3(1, 2, 3)};
-  EXPECT_THROW(bladeEdge(tool, "", "tool"), InputError);
+  EXPECT_THROW(bladeEdge(tool, {"tool", {}}), InputError);
   tool.edge = {Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::quiet_NaN())};
-  EXPECT_THROW(bladeEdge(tool, "", "tool"), InputError);
+  EXPECT_THROW(bladeEdge(tool, {"tool", {}}), InputError);
 }
 
 TEST(BladeEdge, SampleScalpelCutsAlongItsLinksAxis) {

@@ -38,7 +38,7 @@ struct Pushed {
     for (int k = 0; k < steps; ++k) {
       x += move;
       body.guideTool({poseAt(x, Y)});
-      report = body.step().tool;
+      report = body.step().tools[0];
       work -= report.force.x() * move;
       most = std::max(most, report.force.norm());
       momentum += dt * report.force;
@@ -66,7 +66,7 @@ TEST(CuttingEdge, BelowTheCuttingForceTheTissueGivesWayLinearlyUncut) {
   for (int k = 1; k <= 4; ++k) {
     const double x = 0.002 * k;
     pushed.to(x, 0.02);
-    for (int rest = 0; rest < 100; ++rest) pushed.report = pushed.body.step().tool;
+    for (int rest = 0; rest < 100; ++rest) pushed.report = pushed.body.step().tools[0];
     if (k == 1) first = pushed.report.force.x();
     EXPECT_LT(pushed.report.force.x(), -1) << x;
     EXPECT_NEAR(pushed.report.force.x(), k * first, 0.1 * std::abs(k * first)) << x;

@@ -126,8 +126,8 @@ TEST(StrokePath, ABladePressedInFromAboveCutsToItsDepthAlongItsLength) {
   }
   const StepResult still = body.step();
   // A point stands for a hundredth of an element's section, and elements begin to open at FIRST_SHARE of theirs.
-  EXPECT_NEAR(still.tool.stroke_area, 0.2 * 0.2, 0.03 * 0.04);
-  EXPECT_NEAR(still.tool.depth, 0.08, 0.03);  // the side at y = 0 is the nearest skin
+  EXPECT_NEAR(still.tools[0].stroke_area, 0.2 * 0.2, 0.03 * 0.04);
+  EXPECT_NEAR(still.tools[0].depth, 0.08, 0.03);  // the side at y = 0 is the nearest skin
 }
 
 TEST(StrokePath, AScrewedBladeCutsAHelicalSurface) {

@@ -85,7 +85,7 @@ TEST(StrokePieces, TheFrontStaysWhereTheBladeStops) {
   EXPECT_EQ(body.topologyVersion(), version);
   EXPECT_EQ(counts.pieces, 1);
   for (const Vec3& X : cutCorners(body.mesh())) EXPECT_LT(X.x(), 0.5 + cellOf(scene));
-  EXPECT_NEAR(body.step().tool.stroke_area, 0.5 * 0.25, 0.02 * 0.125);
+  EXPECT_NEAR(body.step().tools[0].stroke_area, 0.5 * 0.25, 0.02 * 0.125);
 }
 
 TEST(StrokePieces, AStillBladeCutsTissueThatIsDrawnOverIt) {

@@ -45,7 +45,7 @@ struct PressedBlock : ToolRig {
 };
 
 // F = E A δ / L, but the contact gives way by p h / (200 E) at most: on the rim it is stiffer.
-TEST(ToolBody, PressesABlockAsHookeSays) {
+TEST(ToolContacts, PressesABlockAsHookeSays) {
   for (const double depth : {1e-4, 2e-3}) {
     PressedBlock rig(0);
     rig.moveTo(rig.above(depth));
@@ -59,7 +59,7 @@ TEST(ToolBody, PressesABlockAsHookeSays) {
 }
 
 // The pressure on the top is even, but for what the contact gives way.
-TEST(ToolBody, TurnsTheToolByTheLever) {
+TEST(ToolContacts, TurnsTheToolByTheLever) {
   PressedBlock rig(0, Vec3(0.1, 0.03, 0));
   rig.moveTo(rig.above(1e-3));
   const Vec3 F = rig.onTool().force, middle(SIDE / 2, SIDE / 2, SIDE);
@@ -70,15 +70,15 @@ TEST(ToolBody, TurnsTheToolByTheLever) {
             ELEMENT / OBSTACLE_STIFFNESS * F.norm());
 }
 
-TEST(ToolBody, IsNotThereWithoutAPose) {
+TEST(ToolContacts, IsNotThereWithoutAPose) {
   PressedBlock rig(0);
-  rig.links.has_tool = false;
+  rig.tool.in_place = false;
   EXPECT_EQ(rig.moveTo(rig.above(0.01)).count, 0);
   EXPECT_EQ(rig.onTool().force, Vec3::Zero());
 }
 
 // A block on the ground, dragged by the tool on it: in the end it slides where there is less friction.
-TEST(ToolBody, HasFrictionOfItsOwn) {
+TEST(ToolContacts, HasFrictionOfItsOwn) {
   for (const double friction : {0.1, 0.5}) {
     RigSettings settings = damped();
     settings.conditions.holds.clear();
@@ -103,12 +103,12 @@ TEST(ToolBody, HasFrictionOfItsOwn) {
 }
 
 // A thin plate comes down on the block on its lower edge, which is the cutting one.
-TEST(ToolBody, GivesWayAtItsEdgeWhileThatCuts) {
+TEST(ToolContacts, GivesWayAtItsEdgeWhileThatCuts) {
   for (const bool cuts : {true, false}) {
     const Edge edge = {Vec3(-0.2, -0.002, -0.05), Vec3(0.2, -0.002, -0.05)};
     ToolRig rig(cube(), PressedBlock::held(), touchingNothing(), toolUrdf("<box size='0.4 0.004 0.1'/>"), 0, edge);
     rig.place(at(Vec3(0.1, 0.101, SIDE + 0.05)));
-    rig.links.cuts = cuts;
+    rig.tool.active = cuts;
     const ContactReport touched = rig.moveTo(at(Vec3(0.1, 0.101, SIDE + 0.045)));
     EXPECT_EQ(touched.count, cuts ? 0 : CELLS[0] + 1);
     if (cuts)
@@ -119,7 +119,7 @@ TEST(ToolBody, GivesWayAtItsEdgeWhileThatCuts) {
 }
 
 // A free block hit by a ball that turns.
-TEST(ToolBody, TakesTheMomentumThatTheBodyGains) {
+TEST(ToolContacts, TakesTheMomentumThatTheBodyGains) {
   RigSettings settings = damped();
   settings.conditions.holds.clear();
   ToolRig rig(cube(), settings, touchingNothing(), toolUrdf("<sphere radius='0.08'/>"), 0.5);
@@ -155,13 +155,13 @@ struct BladeInSlit : ToolRig {
   /// How far vertices of the slit are from the middle of the blade, towards their own material [m]; of those beside the
   /// blade where it does not give way.
   std::vector<double> openings() const {
-    const std::vector<Vec3> x = surfacePositions(surface, motion.x), X = surfacePositions(surface, restPositions(mesh));
+    const std::vector<Vec3> x = surfacePositions(surface.get(), motion.x), X = surfacePositions(surface.get(), restPositions(mesh));
     std::vector<double> openings;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      if (!surface.cut_face[t]) continue;
-      const auto& [a, b, c] = surface.triangles[t];
+    for (std::size_t t = 0; t < surface.get().triangles.size(); ++t) {
+      if (!surface.get().cut_face[t]) continue;
+      const auto& [a, b, c] = surface.get().triangles[t];
       const double out = (X[b] - X[a]).cross(X[c] - X[a]).y();
-      for (const int v : surface.triangles[t])
+      for (const int v : surface.get().triangles[t])
         if (X[v].z() > SIDE - DEPTH + 2 * THICKNESS)
           openings.push_back(out > 0 ? middle - x[v].y() : x[v].y() - middle);
     }
@@ -173,14 +173,14 @@ struct BladeInSlit : ToolRig {
 
 // Also where the slit runs in the plane of one of the blade's sides, as it does that an edge of the box has cut, or
 // beside the blade by a hundredth of an element.
-TEST(ToolBody, OpensASlitToItsThicknessEachFaceToItsOwnSide) {
+TEST(ToolContacts, OpensASlitToItsThicknessEachFaceToItsOwnSide) {
   constexpr double HALF = BladeInSlit::THICKNESS / 2;
   for (const double offset : {0.0, HALF, -HALF, HALF + 0.01 * ELEMENT}) {
     BladeInSlit rig(offset);
     ASSERT_GT(rig.openings().size(), 20u);
     double fastest = 0;
     for (int k = 0; k < 200; ++k) {
-      rig.moveTo(rig.links.to[rig.tool]);
+      rig.moveTo(rig.tool.motion.to);
       fastest = std::max(fastest, largest(rig.motion.v));
     }
     EXPECT_LT(fastest, 2 * RECOVERY * ELEMENT);
@@ -195,36 +195,35 @@ TEST(ToolBody, OpensASlitToItsThicknessEachFaceToItsOwnSide) {
 }
 
 // A blade through the skin of a block that has not been cut there; a row of nodes lies in it.
-TEST(ToolBody, PushesSkinThatItPassesAsideAndNotAheadOfIt) {
+TEST(ToolContacts, PushesSkinThatItPassesAsideAndNotAheadOfIt) {
   constexpr double HALF = BladeInSlit::THICKNESS / 2;
   ToolRig rig(cube(), damped(), touchingNothing(), toolUrdf("<box size='0.4 0.002 0.1'/>"), 0);
   rig.place(at(Vec3(0.1, 0.1 + 0.3 * HALF, SIDE + 0.01)));
   int count = 0;
-  for (int k = 0; k < 200; ++k) count = rig.moveTo(rig.links.to[rig.tool]).count;
+  for (int k = 0; k < 200; ++k) count = rig.moveTo(rig.tool.motion.to).count;
   EXPECT_EQ(count, CELLS[0] + 1);
   EXPECT_LT(largest(rig.displacements()), 2 * HALF);
 }
 
 // Then only the end of the slit is left free.
-TEST(ToolBody, LeavesNothingBehindInASlit) {
+TEST(ToolContacts, LeavesNothingBehindInASlit) {
   BladeInSlit rig(0);
-  for (int k = 0; k < 200; ++k) rig.moveTo(rig.links.to[rig.tool]);
+  for (int k = 0; k < 200; ++k) rig.moveTo(rig.tool.motion.to);
   for (int k = 0; k < 400; ++k) rig.moveTo(at(Vec3(0.1, BladeInSlit::PLANE, SIDE + std::min(0.2, 2e-3 * k))));
   EXPECT_EQ(rig.onTool().force, Vec3::Zero());
   EXPECT_LT(largest(rig.displacements()), 1e-4);
 }
 
 std::string refusal(const std::string& urdf) {
-  Obstacles obstacles;
   try {
-    addTool({"blade", 0.3, FAR_EDGE}, urdf, "tool.urdf", &obstacles);
+    bladeOf(urdf);
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(ToolBody, IsRefusedWhereItIsNoneOfTheShapes) {
+TEST(ToolContacts, IsRefusedWhereItIsNoneOfTheShapes) {
   EXPECT_EQ(refusal(toolUrdf("<mesh filename='a.stl'/>")),
             "tool.urdf: link 'blade': a mesh as collision shape (allowed: sphere, box, cylinder)");
   EXPECT_EQ(refusal(toolUrdf("<box size='0.1 0 0.1'/>")),
@@ -233,21 +232,6 @@ TEST(ToolBody, IsRefusedWhereItIsNoneOfTheShapes) {
             "tool.urdf: link 'blade' does not exist (allowed: a link of the description)");
   EXPECT_EQ(refusal("no xml").find("tool.urdf: not a robot description"), 0u);
   EXPECT_EQ(refusal(toolUrdf("<sphere radius='0.01'/>")), "");
-}
-
-TEST(ToolBody, IsOneMoreLinkAfterTheObstacles) {
-  ContactSettings settings;
-  settings.obstacles = "room.urdf";
-  settings.ground = 0;
-  Obstacles obstacles = loadObstacles(settings, toolUrdf("<sphere radius='1'/>"), "room.urdf");
-  EXPECT_EQ(obstacles.tool_link, -1);
-  addTool({"blade", 0.3, FAR_EDGE}, toolUrdf("<box size='1 2 3'/>"), "tool.urdf", &obstacles);
-  EXPECT_EQ(obstacles.tool_link, 1);
-  ASSERT_EQ(obstacles.links.size(), 2u);
-  ASSERT_EQ(obstacles.shapes.size(), 3u);
-  EXPECT_FALSE(obstacles.isTool(obstacles.shapes[0]));
-  EXPECT_FALSE(obstacles.isTool(obstacles.shapes[1]));
-  EXPECT_TRUE(obstacles.isTool(obstacles.shapes[2]));
 }
 
 }  // namespace
