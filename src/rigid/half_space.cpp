@@ -18,6 +18,6 @@ double HalfSpace::reachAlong(const Vec3& n) const { return n.z() == 1 ? 0 : std:
 
 double HalfSpace::reach() const { return std::numeric_limits<double>::infinity(); }
 
-Drawing HalfSpace::drawing() const { return {Drawing::Primitive::PLANE, Vec3::Zero()}; }
+Drawing HalfSpace::drawing() const { return {Drawing::Primitive::HALF_SPACE, Vec3::Zero()}; }
 
 }  // namespace incision

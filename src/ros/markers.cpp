@@ -48,7 +48,7 @@ Marker markerOf(const Solid& solid, const Pose& pose, const std::string& what, i
   Marker marker = markerOf(typeOf(drawing.primitive), what, id, colour, frame, stamp);
   marker.pose = toPoseMessage(pose);
   marker.scale = toVector3(drawing.size);
-  if (drawing.primitive != Drawing::Primitive::PLANE) return marker;
+  if (drawing.primitive != Drawing::Primitive::HALF_SPACE) return marker;
   Pose below;
   below.position.z() = -GROUND_HEIGHT / 2;
   marker.pose = toPoseMessage(composed(pose, below));

@@ -88,7 +88,7 @@ TEST(Obstacles, GroundIsAHalfSpaceThatBelongsToNoLink) {
   const Obstacles obstacles = loadObstacles(settings, "", "");
   EXPECT_TRUE(obstacles.links.empty());
   ASSERT_EQ(obstacles.shapes.size(), 1u);
-  EXPECT_EQ(obstacles.shapes[0].solid->drawing().primitive, Drawing::Primitive::PLANE);
+  EXPECT_EQ(obstacles.shapes[0].solid->drawing().primitive, Drawing::Primitive::HALF_SPACE);
   EXPECT_EQ(obstacles.shapes[0].pose.position, Vec3(0, 0, -0.25));
   EXPECT_EQ(obstacles.shapes[0].link, GROUND_LINK);
 }

@@ -16,10 +16,10 @@ struct SolidDistance {
 /// What a solid looks like, in its own frame, for those who draw it.
 struct Drawing {
   enum class Primitive {
-    BOX,       ///< centred on the origin
-    SPHERE,    ///< centred on the origin
-    CYLINDER,  ///< centred on the origin, its axis along z
-    PLANE,     ///< z = 0, which has no end
+    BOX,         ///< centred on the origin
+    SPHERE,      ///< centred on the origin
+    CYLINDER,    ///< centred on the origin, its axis along z
+    HALF_SPACE,  ///< z = 0, which has no end
   };
   Primitive primitive = Primitive::BOX;
   Vec3 size = Vec3::Zero();  ///< edge lengths of the box round it [m]; none of a plane

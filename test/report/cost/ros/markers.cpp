@@ -49,11 +49,14 @@ int run(int argc, char** argv) {
   std::unique_ptr<Listener> listener;
   Besides besides;
   besides.set_up = [&](const DeformableBody& body) {
-    publisher = std::make_unique<MarkerPublisher>(node, "body", rate, body.obstacles(), std::nullopt);
+    NodeSettings settings;
+    settings.scene = body.scene();
+    settings.marker_rate = rate;
+    publisher = std::make_unique<MarkerPublisher>(node, settings, body);
     if (node.param("listens", false)) listener = std::make_unique<Listener>(node);
   };
   besides.in_step = [&](const DeformableBody& body) {
-    publisher->offer(body, {}, Vec3::Zero(), rate > 0 ? publisher->nextOffer() : std::chrono::steady_clock::now());
+    publisher->offer(body, {}, StepResult(), rate > 0 ? publisher->nextOffer() : std::chrono::steady_clock::now());
   };
   besides.between = [&](const DeformableBody&) {
     if (listener) listener->wait();
