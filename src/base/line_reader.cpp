@@ -26,10 +26,10 @@ bool parse(std::string_view word, Number& value, std::errc& error) {
 
 bool LineReader::next() {
   do {
-    if (left_.empty()) return false;
-    const std::size_t end = std::min(left_.find('\n'), left_.size());
-    rest_ = left_.substr(0, end);
-    left_.remove_prefix(std::min(end + 1, left_.size()));
+    if (unread_.empty()) return false;
+    const std::size_t end = std::min(unread_.find('\n'), unread_.size());
+    rest_ = unread_.substr(0, end);
+    unread_.remove_prefix(std::min(end + 1, unread_.size()));
     ++line_;
     skipBlanks(rest_);
   } while (rest_.empty());
@@ -59,9 +59,9 @@ double LineReader::real(const char* what) {
 
 int LineReader::count(const char* what, int smallest, int bytes_each) {
   const std::int64_t value = integer(what, smallest);
-  const std::int64_t room = static_cast<std::int64_t>(left_.size()) / bytes_each;
+  const std::int64_t room = static_cast<std::int64_t>(unread_.size()) / bytes_each;
   if (value > room)
-    fail(std::string(what) + ": " + std::to_string(value) + " cannot be in the " + std::to_string(left_.size()) +
+    fail(std::string(what) + ": " + std::to_string(value) + " cannot be in the " + std::to_string(unread_.size()) +
          " bytes that follow");
   return static_cast<int>(value);
 }

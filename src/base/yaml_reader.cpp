@@ -9,10 +9,13 @@
 
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
+#include "incision/base/resolve_path.h"
 
 namespace incision {
 
 namespace {
+
+constexpr std::size_t MAX_PATH = 4096;  // bytes, as Linux has it
 
 std::string describe(const Range& range) {
   const Range all;
@@ -87,8 +90,8 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
-YamlValue::YamlValue(const YAML::Node& node, std::string source, std::string key)
-    : node_(node), source_(std::move(source)), key_(std::move(key)) {}
+YamlValue::YamlValue(const YAML::Node& node, std::string source, std::string folder, std::string key)
+    : node_(node), source_(std::move(source)), folder_(std::move(folder)), key_(std::move(key)) {}
 
 void YamlValue::fail(const std::string& reason) const {
   throw InputError(source_ + ": " + (key_.empty() ? "" : key_ + ": ") + reason);
@@ -136,12 +139,27 @@ Vec3 YamlValue::vector(const Range& range) const {
   return {entries[0].number(range), entries[1].number(range), entries[2].number(range)};
 }
 
+std::string YamlValue::frame() const {
+  const std::string frame = text(MAX_NAME);
+  if (frame.front() == '/') refuse("a tf2 frame, which does not begin with /");
+  return frame;
+}
+
+std::string YamlValue::path() const {
+  const std::string address = text(MAX_PATH);
+  try {
+    return resolvePath(address, folder_);
+  } catch (const InputError& error) {
+    fail(error.what());
+  }
+}
+
 std::vector<YamlValue> YamlValue::list(std::optional<std::size_t> count) const {
   const bool fits = node_.IsSequence() ? !count || node_.size() == *count : node_.IsNull() && !count;
   if (!fits) refuse(count ? "a list of " + std::to_string(*count) : "a list");
   std::vector<YamlValue> entries;
   for (const YAML::Node& entry : node_) {
-    entries.emplace_back(entry, source_, key_ + "." + std::to_string(entries.size()));
+    entries.emplace_back(entry, source_, folder_, key_ + "." + std::to_string(entries.size()));
   }
   return entries;
 }
@@ -153,7 +171,7 @@ YamlMap YamlValue::map(const std::vector<std::string>& allowed_keys) const {
   for (const auto& entry : node_) {
     if (!entry.first.IsScalar()) fail("a key that is not text (allowed: " + allowed + ")");
     const std::string name = entry.first.Scalar();
-    const YamlValue value(entry.second, source_, (key_.empty() ? "" : key_ + ".") + printable(name));
+    const YamlValue value(entry.second, source_, folder_, (key_.empty() ? "" : key_ + ".") + printable(name));
     if (std::find(allowed_keys.begin(), allowed_keys.end(), name) == allowed_keys.end()) {
       value.fail("unknown key" + suggestion(name, allowed_keys) + " (allowed: " + allowed + ")");
     }

@@ -8,6 +8,7 @@
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
 #include "incision/base/read_text.h"
+#include "incision/mesh/grid_mesh.h"
 #include "incision/scene/scene.h"
 
 namespace incision {

@@ -8,7 +8,6 @@
 #include <fstream>
 
 #include "incision/base/input_error.h"
-#include "incision/scene/scene.h"
 
 namespace incision {
 namespace {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double STRENGTH = 1e4;  // [Pa]
 
-Box boxOf(const Vec3& min, const Vec3& max) { return {min - Vec3::Constant(1e-9), max + Vec3::Constant(1e-9)}; }
+RestBox boxOf(const Vec3& min, const Vec3& max) { return {min - Vec3::Constant(1e-9), max + Vec3::Constant(1e-9)}; }
 
 /// Force [N] at which a beam under three loads starts to break over 2bh²/3Lσ, the one of beam theory.
 double bendingShare(int cells, double* where) {

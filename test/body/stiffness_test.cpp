@@ -126,7 +126,7 @@ TEST(SplitCantilever, ThroughElementsIsAsGoodAsAlongFaces) {
 double doubleCantileverBeam(int n, double crack) {
   RigSettings settings = clamped();
   settings.conditions.holds[0].box.max.x() = L - crack + 1e-9;
-  Box upper = slab(0, L), lower = upper;
+  RestBox upper = slab(0, L), lower = upper;
   upper.min.z() = H / 2 - 1e-9;
   lower.max.z() = H / 2 + 1e-9;
   settings.conditions.loads = {{upper, Vec3(0, 0, TRACTION), 0}, {lower, Vec3(0, 0, -TRACTION), 0}};

@@ -9,7 +9,7 @@
 namespace incision {
 namespace {
 
-const Box EVERYWHERE = {Vec3::Constant(-10), Vec3::Constant(10)};
+const RestBox EVERYWHERE = {Vec3::Constant(-10), Vec3::Constant(10)};
 
 Insertion cut(CutMesh* mesh, const PlaneCut& plane) {
   return mesh->insert(planeField(plane, *mesh, restPositions(*mesh)));
@@ -76,7 +76,7 @@ TEST(Tractions, ActOnEachPieceByTheAreaItOwns) {
 
 TEST(Tractions, NeedAllNodesOfAFaceInTheBox) {
   const CutMesh mesh = cutBlock({});
-  Box half = slab(0, 0.9);
+  RestBox half = slab(0, 0.9);
   half.max.y() = 0.3 + 1e-9;
   Vec3 sum = Vec3::Zero();
   for (const Vec3& f : forcesOf(mesh, {half, Vec3::UnitX(), 0})) sum += f;

@@ -18,8 +18,8 @@ inline TetMesh block(const std::array<int, 3>& cells, const Vec3& size, const Ve
 }
 
 /// The nodes at one value of a coordinate; of a body of some metres.
-inline Box slab(int axis, double at) {
-  Box box{Vec3::Constant(-1e3), Vec3::Constant(1e3)};
+inline RestBox slab(int axis, double at) {
+  RestBox box{Vec3::Constant(-1e3), Vec3::Constant(1e3)};
   box.min[axis] = at - 1e-9;
   box.max[axis] = at + 1e-9;
   return box;

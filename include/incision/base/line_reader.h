@@ -13,7 +13,7 @@ namespace incision {
 class LineReader {
  public:
   /// The text must outlive the reader; `name` is what errors call it.
-  LineReader(std::string_view text, std::string name) : left_(text), name_(std::move(name)) {}
+  LineReader(std::string_view text, std::string name) : unread_(text), name_(std::move(name)) {}
 
   /// Moves to the next line that is not blank; false at the end of the text.
   bool next();
@@ -43,8 +43,8 @@ class LineReader {
  private:
   std::string_view word(const char* what);
 
-  std::string_view left_;  // the text after the current line
-  std::string_view rest_;  // the current line after the words taken
+  std::string_view unread_;  // the text after the current line
+  std::string_view rest_;    // the current line after the words taken
   std::string name_;
   int line_ = 0;
 };

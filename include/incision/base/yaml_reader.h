@@ -3,24 +3,18 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "incision/base/range.h"
 #include "incision/base/vec.h"
 
 namespace incision {
 
-/// Which finite numbers are allowed; the ends belong to it.
-struct Range {
-  double min = std::numeric_limits<double>::lowest();
-  double max = std::numeric_limits<double>::max();
-};
-
-/// The smallest number above zero: `{ABOVE_ZERO}` allows all positive numbers.
-inline constexpr double ABOVE_ZERO = std::numeric_limits<double>::min();
+/// Longest name of a frame or link [bytes], far above those in use.
+inline constexpr std::size_t MAX_NAME = 255;
 
 class YamlMap;
 
@@ -28,7 +22,8 @@ class YamlMap;
 /// "source: key: value (allowed: …)".
 class YamlValue {
  public:
-  YamlValue(const YAML::Node& node, std::string source, std::string key = "");
+  /// `source` is the file or parameter that errors name; relative paths in it are taken from `folder`.
+  YamlValue(const YAML::Node& node, std::string source, std::string folder = "", std::string key = "");
 
   /// A scalar that reads as a number, quoted or not, since rosparam delivers `1e6` as text.
   double number(const Range& range = {}) const;
@@ -39,6 +34,11 @@ class YamlValue {
   /// At least one byte, at most `max_bytes`, and no control characters.
   std::string text(std::size_t max_bytes) const;
   Vec3 vector(const Range& range = {}) const;
+
+  /// A name of at most MAX_NAME bytes that tf2 takes for a frame's.
+  std::string frame() const;
+  /// An absolute path, from any address that resolvePath() knows.
+  std::string path() const;
 
   /// One of a few words, each with its meaning.
   template <class Choice>
@@ -52,14 +52,14 @@ class YamlValue {
 
   const std::string& source() const { return source_; }
 
-  /// Throws what every check throws.
+  /// Throws "source: key: value (allowed: …)".
   [[noreturn]] void refuse(const std::string& allowed) const;
   /// Throws "source: key: reason".
   [[noreturn]] void fail(const std::string& reason) const;
 
  private:
   YAML::Node node_;
-  std::string source_, key_;
+  std::string source_, folder_, key_;
 };
 
 /// The entries of a YamlValue that is a map.

@@ -1,28 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "incision/cut/part.h"
-#include "incision/mesh/tet_mesh.h"
+#include "incision/cut/plane_cut.h"
 
 namespace incision {
-
-/// A plane or rectangle given from outside, in the deformed configuration.
-struct PlaneCut {
-  std::string label;
-  Vec3 point = Vec3::Zero();    ///< on the plane; the rectangle's centre [m]
-  Vec3 normal = Vec3::UnitX();  ///< towards the positive side; any length but zero
-  Vec3 tangent = Vec3::Zero();  ///< direction of `length`; what is parallel to the normal is taken off
-  double length = 0;            ///< along the tangent [m]; 0: unbounded
-  double width = 0;             ///< along normal × tangent [m]; 0: unbounded
-
-  bool bounded() const { return length > 0 || width > 0; }
-};
-
-/// Why this plane cannot be a cut, in words for the one who sent it; empty when it can.
-std::string whyInvalid(const PlaneCut& plane);
 
 /// A crack as the cut mesh sees it: a signed distance at the copies, linear in each part, and bounds.
 struct CrackField {

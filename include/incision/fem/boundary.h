@@ -3,27 +3,9 @@
 #include <vector>
 
 #include "incision/cut/cut_mesh.h"
+#include "incision/fem/boundary_settings.h"
 
 namespace incision {
-
-/// Axis-aligned, in rest coordinates [m], closed.
-struct Box {
-  Vec3 min = Vec3::Zero(), max = Vec3::Zero();
-  bool contains(const Vec3& X) const { return (X.array() >= min.array()).all() && (X.array() <= max.array()).all(); }
-};
-
-/// Nodes whose rest position lies in the box move with a given velocity.
-struct Hold {
-  Box box;
-  Vec3 velocity = Vec3::Zero();  ///< [m/s]
-};
-
-/// A dead load on the boundary faces all of whose nodes lie in the box.
-struct Load {
-  Box box;
-  Vec3 traction = Vec3::Zero();  ///< [Pa]
-  double ramp = 0;               ///< time [s] from nothing to full; 0: at once
-};
 
 /// Index of the first hold whose box contains the node, or −1, for every node.
 std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Hold>& holds);

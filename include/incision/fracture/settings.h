@@ -3,10 +3,16 @@
 #include <limits>
 #include <optional>
 
+#include "incision/base/range.h"
+
 namespace incision {
+
+class YamlValue;
 
 /// When and how the body breaks by itself. Stresses are positive in tension.
 struct FractureSettings {
+  static constexpr Range FUSE_ANGLE = {0, 1.5707963267948966};  ///< [rad], up to a quarter turn
+
   /// Largest principal stress [Pa] that the material bears, > 0.
   double tensile_strength = std::numeric_limits<double>::infinity();
   /// Largest compression [Pa] that it bears, > 0.
@@ -15,10 +21,13 @@ struct FractureSettings {
   double crack_speed = std::numeric_limits<double>::infinity();
   /// A crack that comes so near [m] to another runs into it, ≥ 0; 0: cracks do not see each other.
   double fuse_distance = 0;
-  /// Largest angle [rad] between two fringes that become one crack, from 0 to π/2.
+  /// Largest angle [rad] between two fringes that become one crack, in FUSE_ANGLE.
   double fuse_angle = 0;
   /// Energy G [J/m²] that opening a crack takes, > 0. Without it cracks open freely.
   std::optional<double> fracture_energy;
 };
+
+/// The section `fracture`. Throws InputError.
+FractureSettings parseFracture(const YamlValue& value);
 
 }  // namespace incision

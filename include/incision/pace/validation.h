@@ -14,9 +14,6 @@ inline constexpr std::size_t MAX_FRAME = 256;
 /// Largest coordinate [m] of a pose: that which cut planes may have.
 inline constexpr double MAX_POSITION = 1e9;
 
-/// How far a quaternion's length may be from 1: as far as tf2 allows.
-inline constexpr double QUATERNION_TOLERANCE = 0.01;
-
 /// Why this cannot be used, or nothing when it can. A pose's quaternion may have any length here.
 std::optional<Refused> whyRefused(const PlaneCut& plane);
 std::optional<Refused> whyRefused(const Pose& pose);

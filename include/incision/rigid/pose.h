@@ -7,6 +7,9 @@
 
 namespace incision {
 
+/// How far from 1 the length of a quaternion may be before it is a mistake rather than rounding; tf2 has as much.
+inline constexpr double QUATERNION_TOLERANCE = 1e-2;
+
 /// Where a rigid thing stands: turned, then moved, it comes from its own frame into another.
 struct Pose {
   Vec3 position = Vec3::Zero();                                     ///< [m]

@@ -1,18 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "incision/contact/settings.h"
-#include "incision/cut/crack.h"
-#include "incision/fem/boundary.h"
-#include "incision/fem/mass.h"
-#include "incision/fem/material.h"
-#include "incision/fem/pressure.h"
+#include "incision/cut/settings.h"
+#include "incision/fem/body_settings.h"
+#include "incision/fem/boundary_settings.h"
 #include "incision/fracture/settings.h"
-#include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/mesh_io.h"
 #include "incision/solver/settings.h"
 #include "incision/tool/settings.h"
@@ -23,24 +19,7 @@ class Node;
 
 namespace incision {
 
-struct BodySettings {
-  std::string mesh;                  ///< absolute path of a file; or
-  std::optional<GridSettings> grid;  ///< exactly one of the two is given
-  std::string frame = "body";        ///< tf frame of the body's coordinates
-  Material material;
-  bool warping = true;
-  Mass mass = Mass::LUMPED;
-  Pressure pressure = Pressure::ELEMENT;
-};
-
-/// Longest label of a cut, in bytes of UTF-8: labels go into reports and logs, where a line must stay a line.
-inline constexpr std::size_t MAX_LABEL = 64;
-
-struct ScheduledCut {
-  double time = 0;  ///< takes effect before the step that starts at the first k Δt ≥ time
-  PlaneCut plane;
-};
-
+/// What a file or a parameter says of a body and of what acts on it. Each section is described beside its parser.
 struct Scene {
   BodySettings body;
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "incision/base/range.h"
+
 namespace incision {
+
+class YamlValue;
 
 enum class Method { AUTO, DIRECT, ITERATIVE };
 
@@ -8,11 +12,18 @@ enum class Method { AUTO, DIRECT, ITERATIVE };
 enum class Integrator { EULER, BDF2 };
 
 struct SolverSettings {
-  double time_step = 0.01;  ///< Δt [s], in [1e-6, 1]
+  static constexpr Range TIME_STEP = {1e-6, 1};
+  static constexpr Range TOLERANCE = {1e-12, 1e-1};
+  static constexpr int MAX_THREADS = 64;
+
+  double time_step = 0.01;  ///< Δt [s], in TIME_STEP
   Method method = Method::AUTO;
-  double tolerance = 1e-6;  ///< relative residual of iterative solves, in [1e-12, 1e-1]
-  int threads = 2;          ///< in [1, 64]
+  double tolerance = 1e-6;  ///< relative residual of iterative solves, in TOLERANCE
+  int threads = 2;          ///< from 1 to MAX_THREADS
   Integrator integrator = Integrator::EULER;
 };
+
+/// The section `solver`. Throws InputError.
+SolverSettings parseSolver(const YamlValue& value);
 
 }  // namespace incision

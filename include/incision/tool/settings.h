@@ -4,21 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "incision/rigid/pose.h"
+#include "incision/rigid/timed_pose.h"
 
 namespace incision {
 
-/// A pose of the tool's blade link in the body's frame.
-struct TimedPose {
-  double time = 0;  ///< [s]
-  Pose pose;
-};
+class YamlValue;
 
 struct ToolSettings {
   std::string description = {};   ///< URDF file; may be empty when `edge` is given
   std::string link = {};          ///< the blade's link
   std::optional<Edge> edge = {};  ///< in the link's frame; absent: the longest edge of the link's first collision box
-  std::vector<TimedPose> poses = {};  ///< ascending times; between them the pose is interpolated
+  std::vector<TimedPose> poses = {};  ///< of the link in the body's frame; between them the pose is interpolated
   std::string frame = {};             ///< tf frame of the link, from which its pose comes; empty: it comes in messages
   /// A pose that moves the link's origin or an end of the edge farther than this from where the pose before had it [m]
   /// begins a new stroke: more than a hand does between two poses, and less than an organ's size.
@@ -29,5 +25,8 @@ struct ToolSettings {
   double friction = 0.3;     ///< Coulomb's coefficient, of the edge along itself and of the link's shapes
   bool progressive = true;   ///< an element's crack opens as the blade sweeps it; false: elements are cut whole
 };
+
+/// The section `tool`. Throws InputError.
+ToolSettings parseTool(const YamlValue& value);
 
 }  // namespace incision

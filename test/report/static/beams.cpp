@@ -22,7 +22,7 @@ double wayOf(double load, double energy) { return 2 * energy / load; }
 RigSettings clampedUpTo(double x, const std::vector<Load>& loads) {
   RigSettings settings = statics(E, 0);
   settings.conditions.loads = loads;
-  Box box = slab(0, 0);
+  RestBox box = slab(0, 0);
   box.max.x() = x + 1e-9;
   settings.conditions.holds = {{box, Vec3::Zero()}};
   return settings;
@@ -52,7 +52,7 @@ Insertion cutAlongTheMiddle(Rig* rig, double) { return rig->cut(plane(Vec3(0, 0,
 
 /// The end is clamped up to the crack's front; the arms are pulled apart by their end faces.
 Case openedBy(double crack) {
-  Box upper = slab(0, L), lower = upper;
+  RestBox upper = slab(0, L), lower = upper;
   upper.min.z() = H / 2 - 1e-9;
   lower.max.z() = H / 2 + 1e-9;
   const std::vector<Load> loads = {{upper, Vec3(0, 0, TRACTION), 0}, {lower, Vec3(0, 0, -TRACTION), 0}};

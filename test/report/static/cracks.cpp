@@ -15,7 +15,7 @@ const std::vector<Way> ALL_WAYS = {{false, true}, {false, false}, {false, false,
 
 /// A body pulled at z = ±half. The loads balance; so that it cannot drift, a patch of one end is held, which moves as
 /// one as long as nothing but tension reaches it: ν = 0.
-RigSettings pulled(double half, const Box& patch) {
+RigSettings pulled(double half, const RestBox& patch) {
   RigSettings settings = statics(E, 0);
   settings.conditions.loads = {{slab(2, half), Vec3(0, 0, TENSION), 0}, {slab(2, -half), Vec3(0, 0, -TENSION), 0}};
   settings.conditions.holds = {{patch, Vec3::Zero()}};
@@ -58,7 +58,7 @@ double edgeCrackOf(double energy) {
 }
 
 Case pulledPlate(double crack) {
-  Box end = slab(2, HALF);
+  RestBox end = slab(2, HALF);
   end.min.x() = 0.39 * WIDTH;
   return {pulled(HALF, end), [=](Rig* rig, double longer) {
             return rig->cut(rectangle(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), 2 * (crack + longer), 0));
@@ -75,7 +75,7 @@ double openedVolume(double energy) {
 }
 
 Case pulledBlock(double radius) {
-  Box middle = slab(2, BLOCK_HALF);
+  RestBox middle = slab(2, BLOCK_HALF);
   middle.min.head<2>().setConstant(-1.5);
   middle.max.head<2>().setConstant(1.5);
   return {pulled(BLOCK_HALF, middle),

@@ -45,7 +45,7 @@ struct Problem {
   std::vector<Way> ways;
   std::function<TetMesh(int cells, bool faces)> grid;
   std::string geometry;  ///< the Gmsh script
-  Box fine;              ///< where the elements are of one size, which the errors are held against
+  RestBox fine;          ///< where the elements are of one size, which the errors are held against
   /// Numbers of cells for a way.
   std::function<std::vector<int>(const Way& way, bool quick)> cells;
   std::vector<Case> cases;

@@ -21,7 +21,7 @@ struct MeshRun {
 };
 
 /// Edge [m] of cells of six elements each, of the mean volume in a box.
-double meanEdge(const TetMesh& mesh, const Box& box) {
+double meanEdge(const TetMesh& mesh, const RestBox& box) {
   double volume = 0;
   int count = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

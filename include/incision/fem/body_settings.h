@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "incision/fem/mass.h"
+#include "incision/fem/material.h"
+#include "incision/fem/pressure.h"
+#include "incision/mesh/grid_settings.h"
+
+namespace incision {
+
+struct BodySettings {
+  std::string mesh;                  ///< absolute path of a file; or
+  std::optional<GridSettings> grid;  ///< exactly one of the two is given
+  std::string frame = "body";        ///< tf frame of the body's coordinates
+  Material material;
+  bool warping = true;
+  Mass mass = Mass::LUMPED;
+  Pressure pressure = Pressure::ELEMENT;
+};
+
+/// The section `body`. Throws InputError.
+BodySettings parseBody(const YamlValue& value);
+
+}  // namespace incision

@@ -1,0 +1,25 @@
+#include "incision/fem/body_settings.h"
+
+#include "incision/base/yaml_reader.h"
+
+namespace incision {
+
+BodySettings parseBody(const YamlValue& value) {
+  const YamlMap map = value.map({"mesh", "grid", "frame", "material", "pressure", "warping", "mass"});
+  if (map.has("mesh") == map.has("grid")) value.fail("needs a mesh or a grid (allowed: one of the two)");
+  BodySettings body;
+  if (const auto mesh = map.find("mesh")) body.mesh = mesh->path();
+  if (const auto grid = map.find("grid")) body.grid = parseGrid(*grid);
+  if (const auto frame = map.find("frame")) body.frame = frame->frame();
+  if (const auto material = map.find("material")) body.material = parseMaterial(*material);
+  if (const auto pressure = map.find("pressure")) {
+    body.pressure = pressure->choice<Pressure>({{"element", Pressure::ELEMENT}, {"averaged", Pressure::AVERAGED}});
+  }
+  if (const auto warping = map.find("warping")) body.warping = warping->boolean();
+  if (const auto mass = map.find("mass")) {
+    body.mass = mass->choice<Mass>({{"lumped", Mass::LUMPED}, {"consistent", Mass::CONSISTENT}});
+  }
+  return body;
+}
+
+}  // namespace incision

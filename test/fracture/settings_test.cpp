@@ -1,0 +1,45 @@
+#include "incision/fracture/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/section.h"
+
+namespace incision {
+namespace {
+
+TEST(FractureSettings, ArriveFromTheirSection) {
+  const FractureSettings fracture =
+      parseFracture(test::section("fracture",
+                                  "{tensile_strength: 1e5, compressive_strength: '.inf', crack_speed: 20, "
+                                  "fuse_distance: 0.01, fuse_angle: 0.5, fracture_energy: 30}"));
+  EXPECT_EQ(fracture.tensile_strength, 1e5);
+  EXPECT_TRUE(std::isinf(fracture.compressive_strength));
+  EXPECT_EQ(fracture.crack_speed, 20);
+  EXPECT_EQ(fracture.fuse_distance, 0.01);
+  EXPECT_EQ(fracture.fuse_angle, 0.5);
+  EXPECT_EQ(fracture.fracture_energy, 30);
+}
+
+TEST(FractureSettings, BadValuesAreRefused) {
+  test::expectRefused(parseFracture, "fracture",
+                      {{"{}", ": needs a tensile_strength or a compressive_strength"},
+                       {"{tensile_strength: .inf}", ": needs a tensile_strength"},
+                       {"{tensile_strength: 0}", ".tensile_strength"},
+                       {"{tensile_strength: -1e5}", ".tensile_strength"},
+                       {"{tensile_strength: .nan}", ".tensile_strength"},
+                       {"{tensile_strength: strong}", ".tensile_strength"},
+                       {"{compressive_strength: -.inf}", ".compressive_strength"},
+                       {"{crack_speed: 0}", ".crack_speed"},
+                       {"{crack_speed: [1]}", ".crack_speed"},
+                       {"{fuse_distance: -1}", ".fuse_distance"},
+                       {"{fuse_distance: .inf}", ".fuse_distance"},
+                       {"{fuse_angle: 1.6}", ".fuse_angle"},
+                       {"{tensile_strength: 1, fracture_energy: 0}", ".fracture_energy"},
+                       {"{compressive_strength: 1, fracture_energy: 1}", ".fracture_energy: needs a tensile_strength"},
+                       {"{toughness: 1}", ".toughness: unknown key"}});
+}
+
+}  // namespace
+}  // namespace incision

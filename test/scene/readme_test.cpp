@@ -1,0 +1,104 @@
+// The README's table of scene keys, held against the parsers.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "incision/base/input_error.h"
+#include "incision/scene/scene.h"
+
+namespace incision {
+namespace {
+
+const std::string FOLDER = INCISION_SOURCE_DIR;
+
+struct Row {
+  std::string key;  // such as loads.0.ramp
+  std::string type, range;
+};
+
+std::vector<Row> rows() {
+  std::ifstream readme(FOLDER + "/README.md");
+  std::vector<Row> rows;
+  bool inside = false;
+  const std::regex cells(R"(\| `([^|]*)` \| ([^|]*) \|[^|]*\|[^|]*\| (.*) \|)");
+  for (std::string line; std::getline(readme, line); inside = inside && !line.empty()) {
+    inside = inside || line == "| key | type | unit | default | range and meaning |";
+    std::smatch cell;
+    if (!inside || !std::regex_match(line, cell, cells)) continue;
+    std::string name =
+        std::regex_replace(std::regex_replace(cell.str(1), std::regex(R"(\[\]\.)"), ".0."), std::regex(R"(\[\])"), "");
+    const std::size_t comma = name.find("`, `");  // a second key of that section
+    rows.push_back({name.substr(0, comma), cell[2], cell[3]});
+    if (comma == std::string::npos) continue;
+    rows.push_back({name.substr(0, name.rfind('.', comma) + 1) + name.substr(comma + 4), cell[2], cell[3]});
+  }
+  return rows;
+}
+
+// What is said of a scene with every section when one value is put into it.
+std::string complaint(const std::string& key, const std::string& value) {
+  try {
+    loadScene(FOLDER + "/test/fuzz/scene_corpus/everything.yaml", {key + "=" + value});
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(Readme, ListsEveryKeyAndNoOther) {
+  std::map<std::string, std::set<std::string>> listed;
+  for (Row row : rows()) {
+    for (std::size_t dot = row.key.rfind('.'); dot != std::string::npos; dot = row.key.rfind('.')) {
+      const std::string last = row.key.substr(dot + 1);
+      row.key.resize(dot);
+      if (last != "0") listed[row.key].insert(last);
+    }
+    listed[""].insert(row.key);
+  }
+  EXPECT_GT(listed.size(), 9u);
+  for (const auto& [section, keys] : listed) {
+    if (keys.empty()) continue;
+    const std::string message = complaint((section.empty() ? "" : section + ".") + "?", "1");
+    std::smatch allowed;
+    ASSERT_TRUE(std::regex_search(message, allowed, std::regex(R"(unknown key \(allowed: (.*)\))"))) << message;
+    std::set<std::string> known;
+    const std::string words = allowed[1];
+    const std::regex word("[a-z_]+");
+    for (std::sregex_iterator w(words.begin(), words.end(), word), end; w != end; ++w) known.insert(w->str());
+    EXPECT_EQ(keys, known) << section;
+  }
+}
+
+TEST(Readme, GivesTheRangesOfNumbers) {
+  int checked = 0;
+  for (const Row& row : rows()) {
+    if (row.type != "number" && row.type != "integer") continue;
+    const std::string range = std::regex_replace(row.range, std::regex("π/2"), "1.570796");
+    std::smatch bounds;
+    std::vector<std::string> good, bad;
+    if (std::regex_search(range, bounds, std::regex(R"(^([\d.e-]+) to ([\d.e-]*\d))"))) {
+      good = {bounds[1], bounds[2]};
+      bad = {std::to_string(std::stod(bounds[1]) - 1), std::to_string(std::stod(bounds[2]) * 1.02)};
+    } else if (std::regex_search(range, std::regex("^above 0"))) {
+      good = {"1e-300", "1e300"}, bad = {"0", "-1"};
+    } else if (std::regex_search(range, std::regex("^0 or more"))) {
+      good = {"0", "1e300"}, bad = {"-1e-300"};
+    } else if (std::regex_search(range, std::regex("^finite"))) {
+      good = {"-1e300", "1e300"}, bad = {".inf", ".nan"};
+    }
+    EXPECT_FALSE(good.empty()) << row.key << ": " << row.range;
+    for (const std::string& value : good) EXPECT_EQ(complaint(row.key, value), "") << row.key;
+    for (const std::string& value : bad) EXPECT_NE(complaint(row.key, value), "") << row.key << " " << value;
+    if (std::regex_search(range, std::regex(R"(\.inf)"))) EXPECT_EQ(complaint(row.key, ".inf"), "") << row.key;
+    ++checked;
+  }
+  EXPECT_GT(checked, 20);
+}
+
+}  // namespace
+}  // namespace incision

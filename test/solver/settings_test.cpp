@@ -1,0 +1,35 @@
+#include "incision/solver/settings.h"
+
+#include <gtest/gtest.h>
+
+#include "support/section.h"
+
+namespace incision {
+namespace {
+
+TEST(SolverSettings, ArriveFromTheirSection) {
+  const SolverSettings solver = parseSolver(test::section(
+      "solver", "{time_step: 0.005, method: iterative, tolerance: 1.0e-8, threads: 3, integrator: bdf2}"));
+  EXPECT_EQ(solver.time_step, 0.005);
+  EXPECT_EQ(solver.method, Method::ITERATIVE);
+  EXPECT_EQ(solver.tolerance, 1e-8);
+  EXPECT_EQ(solver.threads, 3);
+  EXPECT_EQ(solver.integrator, Integrator::BDF2);
+}
+
+TEST(SolverSettings, BadValuesAreRefused) {
+  test::expectRefused(
+      parseSolver, "solver",
+      {{"5", ": '5' (allowed: a map with time_step, method, tolerance, threads, integrator)"},
+       {"{time_step: 0}", ".time_step"},
+       {"{time_step: 2}", ".time_step"},
+       {"{tolerance: 1}", ".tolerance"},
+       {"{threads: 65}", ".threads: '65' (allowed: a whole number, 1 to 64)"},
+       {"{method: fast}", ".method: 'fast' (allowed: auto, direct, iterative)"},
+       {"{integrator: fast}", ".integrator: 'fast' (allowed: bdf2, euler)"},
+       {"{methd: auto}",
+        ".methd: unknown key, did you mean method? (allowed: time_step, method, tolerance, threads, integrator)"}});
+}
+
+}  // namespace
+}  // namespace incision
