@@ -23,6 +23,19 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037ULL;
 };
 
+/// Largest |x − X| over the material [m]. Displacements are linear in each part, so its corners have the largest.
+double largestDisplacement(const CutMesh& mesh, const std::vector<Vec3>& x) {
+  double largest = 0;
+  std::array<Vec3, 4> u;
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+    const Part& part = mesh.parts()[p];
+    for (int I = 0; I < 4; ++I) u[I] = x[part.copies[I]] - mesh.mesh().nodes[mesh.copyNode(part.copies[I])];
+    for (const Barycentric& b : mesh.polytope(static_cast<int>(p)).corners)
+      largest = std::max(largest, (b[0] * u[0] + b[1] * u[1] + b[2] * u[2] + b[3] * u[3]).squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
 }  // namespace
 
 DeformableBody::DeformableBody(const Scene& scene, TetMesh mesh, const Descriptions& descriptions,
@@ -146,9 +159,8 @@ BodyMotion DeformableBody::motion() const {
     motion.mass += assembly.masses()[c];
     motion.momentum += Mv[c];
     motion.kinetic_energy += 0.5 * s.motion.v[c].dot(Mv[c]);
-    motion.max_displacement =
-        std::max(motion.max_displacement, (s.motion.x[c] - s.mesh.mesh().nodes[s.mesh.copyNode(c)]).norm());
   }
+  motion.max_displacement = largestDisplacement(s.mesh, s.motion.x);
   motion.elastic_energy = assembly.elasticEnergy(s.motion.x);
   return motion;
 }

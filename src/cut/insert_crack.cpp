@@ -1,10 +1,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "incision/base/input_error.h"
 #include "incision/base/parallel.h"
+#include "incision/cut/cut_here.h"
 #include "incision/cut/cut_mesh.h"
 
 namespace incision {
@@ -153,37 +155,12 @@ void CutMesh::planSever(const CrackField& crack, int part, Plan* plan) const {
   }
 }
 
-/// Whether a section lies everywhere within snap of one face along which the part was cut before, and that face within
-/// snap of the crack: a small section near an edge of the part is close to a face that it crosses at any angle, and the
-/// neighbours across must decide alike.
+/// Whether a section lies along a face of an earlier cut, everywhere within snap: then the crack is that cut.
 bool CutMesh::coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const {
   if (parts_[part].detail < 0) return false;
-  const std::array<int, 4>& nodes = mesh_.elements[parts_[part].element];
-  const auto place = [&](const Barycentric& b) {
-    Vec3 X = Vec3::Zero();
-    for (int I = 0; I < 4; ++I) X += b[I] * mesh_.nodes[nodes[I]];
-    return X;
-  };
-  double edge = shortest_edge_[nodes[0]];
-  for (int I = 1; I < 4; ++I) edge = std::min(edge, shortest_edge_[nodes[I]]);
-  const CutPart& cut = detail(part);
-  for (const Facet& facet : cut.polytope.facets) {
-    const bool severed_face = std::any_of(cut.face_sides.begin(), cut.face_sides.end(),
-                                          [&](const FaceSide& side) { return side.face == facet.face; });
-    if (facet.face >= 0 && !severed_face) continue;
-    const auto corner = [&](std::size_t i) -> const Barycentric& { return cut.polytope.corners[facet.corners[i]]; };
-    const Vec3 base = place(corner(0));
-    Vec3 normal = Vec3::Zero();
-    bool within = true;
-    for (std::size_t i = 0; i < facet.corners.size(); ++i) {
-      within = within && std::abs(phi.dot(corner(i))) < SNAP * edge;
-      if (i >= 2) normal += (place(corner(i - 1)) - base).cross(place(corner(i)) - base);
-    }
-    normal.stableNormalize();
-    for (const Barycentric& b : section) within = within && std::abs(normal.dot(place(b) - base)) < SNAP * edge;
-    if (within) return true;
-  }
-  return false;
+  double edge = std::numeric_limits<double>::infinity();
+  for (int node : mesh_.elements[parts_[part].element]) edge = std::min(edge, shortest_edge_[node]);
+  return isCutHere(*this, part, section, phi, SNAP * edge);
 }
 
 void CutMesh::checkLimits(const std::vector<Plan>& plans, const Insertion& done) const {

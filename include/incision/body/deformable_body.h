@@ -28,7 +28,7 @@ struct BodyMotion {
   double mass = 0;                                ///< [kg]
   Vec3 momentum = Vec3::Zero();                   ///< [kg m/s]
   double kinetic_energy = 0, elastic_energy = 0;  ///< [J]
-  double max_displacement = 0;                    ///< largest |x − X| over the copies [m]
+  double max_displacement = 0;                    ///< largest |x − X| over the points of the material [m]
 };
 
 /// Wall time of one step's phases [ms].

@@ -28,7 +28,7 @@ Blade::Blade(const ToolSettings& settings, const Edge& edge, const Materials& ma
     : Tool(settings, std::move(touching)),
       edge_(edge),
       ties_(materials, settings.progressive),
-      cutting_(settings, edge, &tool_.in_step, ties_, materials, mesh) {}
+      cutting_(settings, edge, &tool_.in_step, ties_, stroke_, materials, mesh) {}
 
 std::vector<Coupler*> Blade::couplers() {
   std::vector<Coupler*> list = Tool::couplers();

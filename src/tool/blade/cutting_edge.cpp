@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/cut/cut_here.h"
 namespace incision {
 namespace {
 
@@ -24,8 +25,8 @@ constexpr double OUTSIDE = 1e-9;
 /// is just leaving. Where there is no tissue so far on, it comes out, and what it leaves is all there is.
 constexpr double LEAD = 0.2;
 
-/// An edge this near to the face of an old cut, in elements, runs in that cut.
-constexpr double IN_A_SLIT = 0.05;
+/// An edge that moves across itself by less than this in a step, in elements, goes in no direction: rounding.
+constexpr double STILL = 1e-9;
 
 /// An edge that has gone back from where it cut by this, in elements, and is in tissue still, cuts in a new direction.
 constexpr double TURNED = 0.25;
@@ -41,18 +42,6 @@ bool holds(const Polytope& polytope, const Barycentric& point) {
   });
 }
 
-/// Whether the point lies beside a face that some crack has cut.
-bool besideCut(const CutMesh& mesh, int part, const Barycentric& point, double distance) {
-  const Polytope& polytope = mesh.polytope(part);
-  const int element = mesh.parts()[part].element;
-  const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
-  return std::any_of(polytope.facets.begin(), polytope.facets.end(), [&](const Facet& facet) {
-    if (facet.crack < 0) return false;
-    const Vec3 out = vectorArea(polytope, facet, resting).stableNormalized();
-    return std::abs(out.dot(resting(point) - resting(polytope.corners[facet.corners[0]]))) < distance;
-  });
-}
-
 double stationCount(const Edge& edge, double size) {
   return std::clamp(std::ceil(STATIONS_PER_ELEMENT * (edge[1] - edge[0]).norm() / size), 1.0, MAX_STATIONS);
 }
@@ -62,12 +51,13 @@ Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vecto
 }  // namespace
 
 CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties,
-                         const Materials& materials, const CutMesh& mesh)
+                         const Stroke& stroke, const Materials& materials, const CutMesh& mesh)
     : cutting_force_(settings.cutting_force),
       friction_(settings.friction),
       edge_(edge),
       tool_(tool),
       ties_(ties),
+      stroke_(stroke),
       materials_(materials),
       size_(materials.meanSize()),
       skin_(mesh.mesh(), mesh.topology()),
@@ -115,14 +105,18 @@ void CuttingEdge::findNear(const Edge& edge, const StepStart& start) {
 
 /// Finds what resists at the station, or a little before it.
 void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Station* station) {
-  const std::optional<Found> here = findTissue(point, start.mesh);
+  const Vec3 across = rejected(station->drift, direction_);
+  const double moved = across.norm();
+  Swept swept = {size_ * direction_, Vec3::Zero()};
+  if (moved > STILL * size_) swept[1] = size_ / moved * across;
+  const std::optional<Found> here = findTissue(point, swept, start.mesh);
   if (here) depth_ = std::max(depth_, here->depth);
   in_tissue_ = in_tissue_ || here;
   const bool has_cut = !station->start.forward.isZero(0);
   const Vec3 way = rejected(station->start.slip + station->drift, direction_);
   const Vec3 forward = has_cut ? station->start.forward : way.stableNormalized();
   std::optional<Found> ahead;
-  if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, start.mesh);
+  if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, swept, start.mesh);
   if (!ahead && !here) {
     station->start = StationMemory();
     return;
@@ -132,7 +126,20 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * share_;
 }
 
-std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, const CutMesh& mesh) {
+/// Whether the point of a part lies in a cut along which the edge goes.
+bool CuttingEdge::isInSlit(const Vec3& point, const Swept& swept, const Near& near, const CutMesh& mesh) const {
+  const int element = mesh.parts()[near.part].element;
+  const auto resting = [&](const Vec3& y) { return atRest(mesh, element, near.frame.toElement(y)); };
+  CutSought sought;
+  sought.point = resting(point);
+  sought.normal = (resting(point + swept[0]) - sought.point).cross(resting(point + swept[1]) - sought.point);
+  sought.distance = SLIT_REACH * materials_.size(element);
+  sought.cosine = SLIT_COSINE;
+  sought.growing = stroke_.crack();
+  return isCutHere(mesh, near.part, sought);
+}
+
+std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, const Swept& swept, const CutMesh& mesh) {
   for (const auto& [p, frame] : near_) {
     const Part& part = mesh.parts()[p];
     if (!frame.invertible()) continue;
@@ -149,7 +156,7 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
     if (ahead.unswept) {
       share(ahead.section->plus, 0.5);
       share(ahead.section->minus, 0.5);
-    } else if (!ahead.section && !besideCut(mesh, p, b, IN_A_SLIT * size_)) {
+    } else if (!ahead.section && !isInSlit(point, swept, {p, frame}, mesh)) {
       share(p, 1);
     }
     return found;

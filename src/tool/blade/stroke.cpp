@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/cut/cut_here.h"
+
 namespace incision {
 namespace {
 
@@ -35,10 +37,6 @@ constexpr double SMOOTHING = 0.5;
 /// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
 constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
 
-/// A blade that passes a part along a face of an old cut, this near to it, in elements, and turned by less than this
-/// cosine, runs in that cut: tissue that has moved a little must not be sliced again each time a blade goes back.
-constexpr double SAME_SLIT = 0.2, SAME_PLANE = 0.8;
-
 /// Whether all points lie beyond one face of the element, by more than `margin`.
 bool outside(const std::array<Barycentric, 4>& points, double margin) {
   for (int I = 0; I < 4; ++I)
@@ -59,23 +57,17 @@ bool liesInFace(const std::vector<Barycentric>& polygon) {
   return false;
 }
 
-/// Whether a section of a part lies along one of the faces that cracks have given it.
-bool runsInSlit(const CutMesh& mesh, int p, const std::vector<Barycentric>& section) {
-  if (mesh.parts()[p].detail < 0) return false;
+/// Whether a section of a part lies in a cut that was there before, so that the blade runs in that one.
+bool runsInSlit(const CutMesh& mesh, int p, const std::vector<Barycentric>& section, int growing) {
   const int element = mesh.parts()[p].element;
   const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
-  const CutPart& cut = mesh.detail(p);
-  const Vec3 centre = resting(polygonCentroid(section));
-  const Vec3 normal = vectorArea(section, resting).stableNormalized();
-  const double near = SAME_SLIT * std::cbrt(6 * elementVolume(mesh.mesh(), element));
-  return std::any_of(cut.polytope.facets.begin(), cut.polytope.facets.end(), [&](const Facet& facet) {
-    const bool severed = std::any_of(cut.face_sides.begin(), cut.face_sides.end(),
-                                     [&](const FaceSide& side) { return side.face == facet.face; });
-    if (facet.face >= 0 && !severed) return false;
-    const Vec3 out = vectorArea(cut.polytope, facet, resting).stableNormalized();
-    return std::abs(out.dot(normal)) > SAME_PLANE &&
-           std::abs(out.dot(centre - resting(cut.polytope.corners[facet.corners[0]]))) < near;
-  });
+  CutSought sought;
+  sought.point = resting(polygonCentroid(section));
+  sought.normal = vectorArea(section, resting);
+  sought.distance = SLIT_REACH * std::cbrt(6 * elementVolume(mesh.mesh(), element));
+  sought.cosine = SLIT_COSINE;
+  sought.growing = growing;
+  return isCutHere(mesh, p, sought);
 }
 
 /// A vector or its opposite, whichever points to the side of another.
@@ -116,7 +108,7 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* do
   CrackField crack = field(*mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
     return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
-           (liesInFace(polygon) || !runsInSlit(*mesh, part, polygon));
+           (liesInFace(polygon) || !runsInSlit(*mesh, part, polygon, memory_.crack));
   };
   const int before = mesh->numCopies();
   const Insertion done = door->insert(crack);

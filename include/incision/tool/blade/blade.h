@@ -50,8 +50,8 @@ class Blade : public Tool {
 
   Edge edge_;
   Ties ties_;
-  CuttingEdge cutting_;
   Stroke stroke_;
+  CuttingEdge cutting_;
   Strokes strokes_;
   std::vector<Vec3> x_within_;  // of the copies within a step, kept for its memory [m]
 };

@@ -5,6 +5,7 @@
 
 #include "incision/fem/materials.h"
 #include "incision/mesh/skin_depth.h"
+#include "incision/tool/blade/stroke.h"
 #include "incision/tool/blade/ties.h"
 #include "incision/tool/settings.h"
 #include "incision/tool/tool_in_step.h"
@@ -25,8 +26,9 @@ struct StationMemory {
 /// pushed, never pulled: going back, the edge is free until it comes to where it stood.
 class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
  public:
-  /// `edge` in the frame of the tool's link. The tool, the ties, the materials and the mesh must outlive this.
-  CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties,
+  /// `edge` in the frame of the tool's link. The tool, the ties, the stroke, the materials and the mesh must outlive
+  /// this.
+  CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
               const Materials& materials, const CutMesh& mesh);
 
   /// The edge is no longer in the tissue that it was in.
@@ -69,16 +71,21 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
     int part;
     PartFrame frame;
   };
+  /// Two directions in the body, along the edge and across, of the surface that it sweeps; across is zero while it
+  /// stands still [m].
+  using Swept = std::array<Vec3, 2>;
 
   void findNear(const Edge& edge, const StepStart& start);
   void beginStation(const Vec3& point, const StepStart& start, Station* station);
-  std::optional<Found> findTissue(const Vec3& point, const CutMesh& mesh);
+  std::optional<Found> findTissue(const Vec3& point, const Swept& swept, const CutMesh& mesh);
+  bool isInSlit(const Vec3& point, const Swept& swept, const Near& near, const CutMesh& mesh) const;
   Trial tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const;
 
   double cutting_force_, friction_;  // [N/m], –
   Edge edge_;
   ToolInStep* tool_;
   const Ties& ties_;
+  const Stroke& stroke_;
   const Materials& materials_;
   double size_;  // of the elements, the mean [m]
   SkinDepth skin_;

@@ -29,6 +29,9 @@ class Stroke {
   /// Whether the stroke has met any part of the body.
   bool begun() const { return memory_.begun; }
 
+  /// The crack that it goes on with; −1: it has none yet, or none any more.
+  int crack() const { return memory_.crack; }
+
   /// Cracks that it has made.
   int cracks() const { return memory_.cracks; }
 
@@ -41,14 +44,14 @@ class Stroke {
 
   /// What of the stroke outlasts a step.
   struct Memory {
-    int crack = -1;                               ///< that it goes on with; −1: it has none yet, or none any more
-    int cracks = 0;                               ///< that it has made
-    bool begun = false;                           ///< it has met a part of the body
-    Edge from;                                    ///< at the last sweep [m],
-    std::vector<Vec3> last_x;                     ///< and the copies then [m]
-    Vec3 normal = Vec3::Zero();                   ///< of the sweep so far, to keep the sides' signs
-    std::unordered_map<int, Vec3> ways;           ///< round each copy: normals of the last sweeps [m]
-    std::unordered_map<int, Distance> distances;  ///< of the copies of parts the sweep has passed
+    int crack = -1;                                            ///< as crack() tells
+    int cracks = 0;                                            ///< that it has made
+    bool begun = false;                                        ///< it has met a part of the body
+    Edge from;                                                 ///< at the last sweep [m],
+    std::vector<Vec3> last_x;                                  ///< and the copies then [m]
+    Vec3 normal = Vec3::Zero();                                ///< of the sweep so far, to keep the sides' signs
+    std::unordered_map<int, Vec3> ways;                        ///< round each copy: normals of the last sweeps [m]
+    std::unordered_map<int, Distance> distances;               ///< of the copies of parts the sweep has passed
     std::unordered_map<int, std::deque<SweptTriangle>> swept;  ///< so far, in each element it met
   };
   const Memory& keep() const { return memory_; }

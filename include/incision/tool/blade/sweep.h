@@ -9,6 +9,11 @@
 
 namespace incision {
 
+/// A blade this near to an earlier cut, in elements, and turned from it by less than this cosine, runs in that cut: it
+/// neither cuts there nor is resisted. Tissue that has moved a little must not be sliced again each time a blade goes
+/// back.
+inline constexpr double SLIT_REACH = 0.2, SLIT_COSINE = 0.8;
+
 /// A triangle that an edge has swept, in an element's coordinates.
 using SweptTriangle = std::array<Barycentric, 3>;
 
