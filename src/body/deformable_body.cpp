@@ -29,7 +29,7 @@ double largestDisplacement(const CutMesh& mesh, const std::vector<Vec3>& x) {
   std::array<Vec3, 4> u;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const Part& part = mesh.parts()[p];
-    for (int I = 0; I < 4; ++I) u[I] = x[part.copies[I]] - mesh.mesh().nodes[mesh.copyNode(part.copies[I])];
+    for (int I = 0; I < 4; ++I) u[I] = x[part.copies[I]] - mesh.mesh().nodes[mesh.mesh().elements[part.element][I]];
     for (const Barycentric& b : mesh.polytope(static_cast<int>(p)).corners)
       largest = std::max(largest, (b[0] * u[0] + b[1] * u[1] + b[2] * u[2] + b[3] * u[3]).squaredNorm());
   }

@@ -76,11 +76,9 @@ class CutFace {
 /// Calls f(element) for the elements that share a node with one, until a call returns true. Returns whether one did.
 template <typename Function>
 bool anyNeighbour(const CutMesh& mesh, int element, const Function& f) {
-  const MeshTopology& topology = mesh.topology();
   const std::array<int, 4>& nodes = mesh.mesh().elements[element];
   for (auto node = nodes.begin(); node != nodes.end(); ++node)
-    for (int s = topology.star_start[*node]; s < topology.star_start[*node + 1]; ++s) {
-      const int other = topology.star[s];
+    for (int other : mesh.topology().star[*node]) {
       const std::array<int, 4>& its = mesh.mesh().elements[other];
       const bool met_before = std::find_first_of(nodes.begin(), node, its.begin(), its.end()) != node;
       if (!met_before && other != element && f(other)) return true;
