@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "incision/mesh/grid_mesh.h"
 #include "support/scenes.h"
 
 namespace incision {

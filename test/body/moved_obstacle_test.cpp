@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "incision/body/deformable_body.h"
+#include "incision/mesh/grid_mesh.h"
 
 namespace incision {
 namespace {

@@ -38,7 +38,7 @@ class OldCut : public ::testing::TestWithParam<std::tuple<double, bool>> {
     for (int k = 0; k <= MOVES; ++k) {
       const double x = -0.1 + (to + 0.1) * k / MOVES;
       body.guideTool({poseAt(x, height(x))});
-      const ToolReport report = body.step().tool;
+      const ToolReport report = body.step().tools[0];
       most = std::max(most, report.force.norm());
       area = report.stroke_area;
     }
@@ -97,7 +97,7 @@ TEST_P(OldCut, KeepsABladeThatGoesBackInIt) {
   const BodyCounts before = body.counts();
   for (int k = 0; k <= 40; ++k) {
     body.guideTool({poseAt(0.4 + 0.3 * std::sin(0.2 * k), FACES + 0.0005)});
-    most = std::max(most, body.step().tool.force.norm());
+    most = std::max(most, body.step().tools[0].force.norm());
   }
   expectItStaysInTheCut(before);
 }
