@@ -108,7 +108,7 @@ void DeformableBody::State::recallStep(const StepMemory& memory) {
 }
 
 BodyMemory DeformableBody::State::keep() const {
-  BodyMemory memory{steps, cuts_done, mesh.keep(), {}, obstacle_motions.inStep(), keepStep()};
+  BodyMemory memory{steps, cuts_done, fractured_steps, mesh.keep(), {}, obstacle_motions.inStep(), keepStep()};
   if (growth) memory.growth = growth->memory();
   return memory;
 }
@@ -116,6 +116,7 @@ BodyMemory DeformableBody::State::keep() const {
 void DeformableBody::State::recall(const BodyMemory& memory) {
   steps = memory.steps;
   cuts_done = memory.cuts_done;
+  fractured_steps = memory.fractured_steps;
   obstacle_motions.recall(memory.obstacles);
   mesh.recall(memory.mesh);
   motion = memory.step.motion;

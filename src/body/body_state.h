@@ -34,6 +34,7 @@ struct StepMemory {
 struct BodyMemory {
   std::int64_t steps = 0;
   std::size_t cuts_done = 0;
+  std::int64_t fractured_steps = 0;
   CutMesh::Memory mesh;
   std::optional<CrackGrowth::Memory> growth;
   std::vector<RigidMotion> obstacles;
@@ -80,7 +81,8 @@ struct DeformableBody::State {
   BackwardDifference last_steps;  // for steps of second order
   Motion motion;
   std::int64_t steps = 0;
-  std::size_t cuts_done = 0;
+  std::size_t cuts_done = 0;         // of the scene's
+  std::int64_t fractured_steps = 0;  // for which cracks have grown: a step that is tried again grows none
   CurrentSurface surface;
   Obstacles obstacles;
   ObstacleMotions obstacle_motions;
@@ -93,7 +95,7 @@ struct DeformableBody::State {
   Couplers couplers;
   BodyDoor door;
   Reports reports;         // of what has happened and nobody has taken yet
-  double coupling_ms = 0;  // to find what may act in the step
+  double couplers_ms = 0;  // to find what may act in the step
   BodyMemory at_start;
 };
 

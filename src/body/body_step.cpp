@@ -5,6 +5,8 @@ namespace incision {
 
 /// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
 void DeformableBody::State::fracture() {
+  if (fractured_steps > steps) return;
+  fractured_steps = steps + 1;
   const double now = time();
   for (const CrackResult& event : growth->fuse(now, mesh, motion.x)) reports.cracks.push_back(event);
   for (const CrackAdvance& advance :
@@ -30,7 +32,7 @@ void DeformableBody::State::fracture() {
 bool DeformableBody::State::advance(const StepSpan& span, double time) {
   const auto beginning = Clock::now();
   const bool coupled = couplers.begin({span, mesh, step.pieceOf(), motion});
-  coupling_ms = 1e3 * secondsSince(beginning);
+  couplers_ms = 1e3 * secondsSince(beginning);
   if (!coupled) return advanceFreely(time, span.time_step);
   if (!step.advance(time, span.time_step, &motion, &couplers)) return false;
   last_steps.forget();

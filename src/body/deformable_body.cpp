@@ -81,7 +81,7 @@ void DeformableBody::State::fillResult(StepResult* result) {
   for (const auto& tool : tools) result->tools.push_back(tool->report());
   result->iterations = step.stats().iterations;
   result->residual = step.stats().residual;
-  result->phase_ms.contact = coupling_ms;
+  result->phase_ms.contact = couplers_ms;
   result->phase_ms.assembly = step.times().assembly;
   result->phase_ms.solve = step.times().solve;
   result->phase_ms.update = step.times().update;

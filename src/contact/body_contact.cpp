@@ -8,11 +8,6 @@ BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obsta
                          const std::vector<RigidMotion>& motions, ContactSkin* skin)
     : Contact(settings.friction, skin), self_(settings.self), obstacles_(obstacles), motions_(motions) {}
 
-void BodyContact::recall(const std::any& kept) {
-  Contact::recall(kept);
-  fragments_.surfaceChanged();
-}
-
 void BodyContact::find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
                        std::vector<Candidate>* candidates) {
   if (searched_version_ != skin.version()) fragments_.surfaceChanged();

@@ -126,8 +126,8 @@ Contact::Trial Contact::tryAt(const Candidate& candidate, double time_step, cons
   return trial;
 }
 
-Coupling Contact::springOf(const Candidate& candidate, const Trial& trial) const {
-  Coupling spring = candidate.point;
+Spring Contact::springOf(const Candidate& candidate, const Trial& trial) const {
+  Spring spring = candidate.point;
   const Mat3 across = candidate.normal * candidate.normal.transpose();
   spring.stiffness = candidate.stiffness * across + trial.tangential * (Mat3::Identity() - across);
   spring.force = spring.stiffness * candidate.drift -
@@ -136,7 +136,7 @@ Coupling Contact::springOf(const Candidate& candidate, const Trial& trial) const
   return spring;
 }
 
-bool Contact::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) {
+bool Contact::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) {
   parallelFor(static_cast<int>(candidates_.size()), skin_->threads(),
               [&](int i) { trials_[i] = tryAt(candidates_[i], span.time_step, v_end); });
   double wrong = 0, all = 0, wrong_friction = 0, all_friction = 0;

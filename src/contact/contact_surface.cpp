@@ -132,9 +132,9 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   return made;
 }
 
-void addVertex(const SurfaceVertex& vertex, double sign, Coupling* coupling) {
+void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring) {
   for (int k = 0; k < 4; ++k)
-    if (vertex.weights[k] != 0) coupling->add(vertex.copies[k], sign * vertex.weights[k]);
+    if (vertex.weights[k] != 0) spring->add(vertex.copies[k], sign * vertex.weights[k]);
 }
 
 }  // namespace incision

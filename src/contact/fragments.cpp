@@ -59,14 +59,14 @@ Vec3 normalised(const Vec3& a) {
 /// surface meets itself at an edge, the material holds them together.
 constexpr double ONE_POINT = 0.05;
 
-bool isOnePoint(const Coupling& contact) {
+bool isOnePoint(const Spring& contact) {
   double sum = 0;
   for (int i = 0; i < contact.count; ++i) sum += std::abs(contact.weights[i]);
   return sum < ONE_POINT;
 }
 
 /// Whether it has no area at rest: such triangles close the surface between parts that neither hang together nor are
-/// severed. Their corners may belong to several parts, to more copies than a coupling has room for.
+/// severed. Their corners may belong to several parts, to more copies than a spring has room for.
 bool closesGap(const ContactSurface& surface, int triangle) {
   const auto& [a, b, c] = surface.surface->triangles[triangle];
   const auto& X = surface.rest;
@@ -270,8 +270,8 @@ bool FragmentFinder::meets(const ContactSurface& surface, const std::vector<Vec3
 }
 
 /// What a contact acts on: the sample's point less its foot.
-Coupling FragmentFinder::between(const ContactSurface& surface, const Pair& pair) {
-  Coupling contact;
+Spring FragmentFinder::between(const ContactSurface& surface, const Pair& pair) {
+  Spring contact;
   addVertex(surface.surface->vertices[surface.samples[pair.sample].vertex], 1, &contact);
   for (int k = 0; k < 3; ++k)
     addVertex(surface.surface->vertices[surface.surface->triangles[pair.triangle][k]], -pair.weights[k], &contact);

@@ -10,7 +10,7 @@ namespace {
 
 /// Calls f(corner, J, column) for all that the parts round a copy couple it to; column −1 where J has no row.
 template <typename Function>
-void forEachCoupling(const Assembly& assembly, const std::vector<int>& row_of, int copy, const Function& f) {
+void forEachSpring(const Assembly& assembly, const std::vector<int>& row_of, int copy, const Function& f) {
   for (const Corner& corner : assembly.corners()[copy]) {
     const Part& part = assembly.mesh().parts()[corner.part];
     for (int J = 0; J < 4; ++J) f(corner, J, row_of[part.copies[J]]);
@@ -22,7 +22,7 @@ void forEachCoupling(const Assembly& assembly, const std::vector<int>& row_of, i
 template <typename Function>
 void forEachNeighbour(const Assembly& assembly, const std::vector<int>& row_of, int copy, const Function& f) {
   const Patches* patches = assembly.patches();
-  if (!patches) return forEachCoupling(assembly, row_of, copy, [&](const Corner&, int, int column) { f(column); });
+  if (!patches) return forEachSpring(assembly, row_of, copy, [&](const Corner&, int, int column) { f(column); });
   for (const Patches::Use& use : patches->uses()[copy])
     for (int other : patches->copies()[use.patch]) f(row_of[other]);
 }
@@ -105,7 +105,7 @@ void findSlots(const Assembly& assembly, int row, BlockPattern* pattern) {
   std::vector<int>& slot_of = tableOfRows(pattern->rows());
   for (int k = pattern->row_start[row]; k < pattern->row_start[row + 1]; ++k)
     slot_of[pattern->column[k]] = k - pattern->row_start[row];
-  forEachCoupling(assembly, pattern->row_of, pattern->copies[row], [&](const Corner& corner, int J, int column) {
+  forEachSpring(assembly, pattern->row_of, pattern->copies[row], [&](const Corner& corner, int J, int column) {
     const int slot = column < 0 ? NO_SLOT : std::min<int>(slot_of[column], NO_SLOT);
     pattern->slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J] = static_cast<std::uint16_t>(slot);
   });

@@ -57,7 +57,7 @@ bool Cohesion::begin(const StepStart& start) {
     const Section& section = memory_.bonds[i].section;
     const Part &plus = start.mesh.parts()[section.plus], &minus = start.mesh.parts()[section.minus];
     Stretch& stretch = stretches_[i];
-    stretch.bonded = Coupling();
+    stretch.bonded = Spring();
     for (int I = 0; I < 4; ++I) stretch.bonded.add(plus.copies[I], section.point[I]);
     for (int I = 0; I < 4; ++I) stretch.bonded.add(minus.copies[I], -section.point[I]);
     stretch.parted = plus.copies != minus.copies;
@@ -70,7 +70,7 @@ bool Cohesion::begin(const StepStart& start) {
   return !stretches_.empty();
 }
 
-bool Cohesion::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) {
+bool Cohesion::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) {
   bool differ = false;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     const Bond& bond = memory_.bonds[i];
@@ -81,7 +81,7 @@ bool Cohesion::update(const StepSpan& span, const std::vector<Vec3>& v_end, std:
     differ = differ || std::abs(k - stretch.slope) > SLOPE_TOLERANCE * std::max(k, stretch.slope);
     stretch.slope = k;
     if (!stretch.parted) continue;
-    Coupling spring = stretch.bonded;
+    Spring spring = stretch.bonded;
     spring.stiffness = bond.area * k * Mat3::Identity();
     if (pressed) spring.stiffness += bond.area * (bond.steepest - k) * n * n.transpose();
     spring.force = -spring.stiffness * stretch.start;

@@ -90,14 +90,14 @@ void CoarseSpace::matrixChanged(const std::vector<Vec3>& x, const std::vector<fl
   coupled_ = false;
 }
 
-void CoarseSpace::couplingsChanged(const CoupledRows& couplings, int threads) {
+void CoarseSpace::springsChanged(const CoupledRows& springs, int threads) {
   if (coupled_) coarse_blocks_ = uncoupled_blocks_;
-  coupled_ = couplings.count() > 0;
+  coupled_ = springs.count() > 0;
   if (coupled_) {
-    findEnds(couplings);
+    findEnds(springs);
     findPairs();
     uncoupled_blocks_ = coarse_blocks_;
-    parallelFor(aggregates_->count(), threads, [&](int a) { addCouplings(a, couplings); });
+    parallelFor(aggregates_->count(), threads, [&](int a) { addSprings(a, springs); });
   }
   usable_ = false;
   for (double extra = REGULARISATION; !usable_ && extra <= MAX_REGULARISATION; extra *= 100) usable_ = factorise(extra);
@@ -149,10 +149,10 @@ void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
   }
 }
 
-void CoarseSpace::findEnds(const CoupledRows& couplings) {
+void CoarseSpace::findEnds(const CoupledRows& springs) {
   ends_.clear();
-  for (int c = 0; c < couplings.count(); ++c) {
-    for (const auto& [row, g] : couplings.ends()[c]) {
+  for (int c = 0; c < springs.count(); ++c) {
+    for (const auto& [row, g] : springs.ends()[c]) {
       const int a = aggregates_->of[row];
       Span<CoarseEnd> ends = ends_.unfinished();
       int at = 0;
@@ -169,7 +169,7 @@ void CoarseSpace::findEnds(const CoupledRows& couplings) {
   });
 }
 
-/// Makes room for the blocks that couplings need beside the pattern's. They stay, as contacts come and go: each new one
+/// Makes room for the blocks that springs need beside the pattern's. They stay, as contacts come and go: each new one
 /// costs an analysis.
 void CoarseSpace::findPairs() {
   const std::size_t known = extra_.size();
@@ -192,12 +192,12 @@ void CoarseSpace::findPairs() {
   findUnknowns();
 }
 
-/// Adds H_Iᵀ K H_J for every coupling that acts on aggregate I, H = [a 1 | −[b]×] being what it sees of the modes.
-void CoarseSpace::addCouplings(int I, const CoupledRows& couplings) {
+/// Adds H_Iᵀ K H_J for every spring that acts on aggregate I, H = [a 1 | −[b]×] being what it sees of the modes.
+void CoarseSpace::addSprings(int I, const CoupledRows& springs) {
   for (int e : ends_within_[I]) {
     const CoarseEnd& end = ends_.values()[e];
-    const int c = end.coupling;
-    const Mat3 K = couplings.stiffness(c).topRows<3>().cast<double>();
+    const int c = end.spring;
+    const Mat3 K = springs.stiffness(c).topRows<3>().cast<double>();
     const Mat3 shift = end.a * K, turn = crossMatrix(end.b) * K;
     for (const CoarseEnd& other : ends_[c]) {
       if (other.aggregate > I) continue;

@@ -2,24 +2,24 @@
 
 namespace incision {
 
-void CoupledRows::set(const std::vector<Coupling>& couplings, double time_step, const BlockPattern& pattern,
+void CoupledRows::set(const std::vector<Spring>& springs, double time_step, const BlockPattern& pattern,
                       const std::vector<double>& scale) {
   ends_.clear();
   stiffness_.clear();
-  for (const Coupling& coupling : couplings) {
-    for (int i = 0; i < coupling.count; ++i)
-      if (const int row = pattern.row_of[coupling.copies[i]]; row >= 0)
-        ends_.append({row, static_cast<float>(coupling.weights[i] * scale[row])});
+  for (const Spring& spring : springs) {
+    for (int i = 0; i < spring.count; ++i)
+      if (const int row = pattern.row_of[spring.copies[i]]; row >= 0)
+        ends_.append({row, static_cast<float>(spring.weights[i] * scale[row])});
     if (ends_.unfinished().size() == 0) continue;
     ends_.finish();
     stiffness_.emplace_back(Eigen::Matrix<float, 4, 3>::Zero());
-    stiffness_.back().topRows<3>() = (time_step * time_step * coupling.stiffness).cast<float>();
+    stiffness_.back().topRows<3>() = (time_step * time_step * spring.stiffness).cast<float>();
   }
   force_.resize(stiffness_.size());
   findShares(pattern.rows());
 }
 
-/// Sorts the ends by row; those of one row stay in the order of their couplings.
+/// Sorts the ends by row; those of one row stay in the order of their springs.
 void CoupledRows::findShares(int rows) {
   shares_.sort(rows, [&](const auto& add) {
     for (int c = 0; c < count(); ++c)
@@ -34,7 +34,7 @@ Mat3 CoupledRows::diagonal(int k) const {
   Mat3 sum = Mat3::Zero();
   for (const Share& share : shares_[rows_[k]]) {
     const double g = share.g;
-    sum += g * g * stiffness_[share.coupling].topRows<3>().cast<double>();
+    sum += g * g * stiffness_[share.spring].topRows<3>().cast<double>();
   }
   return sum;
 }

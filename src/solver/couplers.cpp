@@ -35,7 +35,7 @@ bool Couplers::update(const std::vector<Vec3>& v_end) {
 void Couplers::findWrenches(const std::vector<Vec3>& x, const std::vector<Vec3>& v_end,
                             std::vector<Wrench>* wrenches) const {
   wrenches->assign(list_.size(), Wrench());
-  for (const Coupling& spring : springs_) {
+  for (const Spring& spring : springs_) {
     if (!list_[static_cast<std::size_t>(spring.coupler)]->hasOtherEnd()) continue;
     Wrench& sum = (*wrenches)[static_cast<std::size_t>(spring.coupler)];
     const Wrench one = wrenchOf(spring, span_.time_step, x, v_end);

@@ -9,17 +9,17 @@ namespace {
 /// Relative residual that a backward stable factorisation leaves, and below which its rounding is not worth reporting.
 constexpr double ATTAINABLE = 1e-12;
 
-/// Factorisations after which blocks that couplings have left are dropped: contacts that only bounce are back by then.
+/// Factorisations after which blocks that springs have left are dropped: contacts that only bounce are back by then.
 constexpr int PATIENCE = 50;
 
-/// Calls f(row, column, w_row w_column, K) for the blocks row ≤ column of every coupling.
+/// Calls f(row, column, w_row w_column, K) for the blocks row ≤ column of every spring.
 template <typename Function>
-void forEachBlock(const std::vector<Coupling>& couplings, const std::vector<int>& row_of, const Function& f) {
-  for (const Coupling& coupling : couplings)
-    for (int i = 0; i < coupling.count; ++i)
-      for (int j = 0; j < coupling.count; ++j) {
-        const int row = row_of[coupling.copies[i]], column = row_of[coupling.copies[j]];
-        if (row >= 0 && row <= column) f(row, column, coupling.weights[i] * coupling.weights[j], coupling.stiffness);
+void forEachBlock(const std::vector<Spring>& springs, const std::vector<int>& row_of, const Function& f) {
+  for (const Spring& spring : springs)
+    for (int i = 0; i < spring.count; ++i)
+      for (int j = 0; j < spring.count; ++j) {
+        const int row = row_of[spring.copies[i]], column = row_of[spring.copies[j]];
+        if (row >= 0 && row <= column) f(row, column, spring.weights[i] * spring.weights[j], spring.stiffness);
       }
 }
 
@@ -73,14 +73,14 @@ void DirectSolver::matrixChanged(const std::vector<Vec3>&) {
   if (pattern_.rows() > 0) assembler_.assemble(*assembly_, pattern_, factors_, ones_, &blocks_);
 }
 
-bool DirectSolver::couplingsChanged(const std::vector<Coupling>& couplings, double time_step) {
+bool DirectSolver::springsChanged(const std::vector<Spring>& springs, double time_step) {
   if (pattern_.rows() == 0) return true;
-  if (couplings.empty() && extra_.empty()) return factorise(blocks_);
-  findBlocks(couplings);
+  if (springs.empty() && extra_.empty()) return factorise(blocks_);
+  findBlocks(springs);
   coupled_blocks_ = blocks_;
   coupled_blocks_.resize(BLOCK_SIZE * static_cast<std::size_t>(pattern_.row_start.back()));
   coupled_blocks_.resize(BLOCK_SIZE * (pattern_.row_start.back() + extra_.size()), 0);
-  forEachBlock(couplings, pattern_.row_of, [&](int row, int column, double weight, const Mat3& K) {
+  forEachBlock(springs, pattern_.row_of, [&](int row, int column, double weight, const Mat3& K) {
     Eigen::Map<Mat3>(&coupled_blocks_[static_cast<std::size_t>(BLOCK_SIZE) * blockAt(row, column)]) +=
         time_step * time_step * weight * K;
   });
@@ -103,13 +103,13 @@ int DirectSolver::blockAt(int row, int column) const {
   return pattern_.row_start.back() + static_cast<int>(extra - extra_.begin());
 }
 
-/// Makes room for the couplings' blocks. They stay, as contacts come and go and each new one costs an analysis; but
+/// Makes room for the springs' blocks. They stay, as contacts come and go and each new one costs an analysis; but
 /// what slides leaves a trail of them behind, which would fill the factor.
-void DirectSolver::findBlocks(const std::vector<Coupling>& couplings) {
+void DirectSolver::findBlocks(const std::vector<Spring>& springs) {
   const int blocks = pattern_.row_start.back();
   std::vector<std::pair<int, int>> missing;
   used_.assign(extra_.size(), 0);
-  forEachBlock(couplings, pattern_.row_of, [&](int row, int column, double, const Mat3&) {
+  forEachBlock(springs, pattern_.row_of, [&](int row, int column, double, const Mat3&) {
     const int block = blockAt(row, column);
     if (block < 0) missing.emplace_back(row, column);
     if (block >= blocks) used_[block - blocks] = 1;

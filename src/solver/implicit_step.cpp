@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "incision/base/parallel.h"
-#include "incision/solver/direct_solver.h"
 
 namespace incision {
 namespace {
@@ -103,9 +102,10 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couple
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
 void ImplicitStep::giveUp() {
+  const bool other_solver = (memory_.fallback_steps > 0) != (fallback_steps_at_start_ > 0);
+  if (other_solver || !group_at_start_.empty()) topology_known_ = false;
   memory_.fallback_steps = fallback_steps_at_start_;
   if (!group_at_start_.empty()) memory_.group = group_at_start_;
-  topology_known_ = false;
   for (Vec3& dv : dv_) dv.setZero();
 }
 
@@ -120,8 +120,8 @@ bool ImplicitStep::trySolve(double time, double time_step, const Motion& motion,
   return solveCoupled(time_step, motion, couplers);
 }
 
-const std::vector<Coupling>& ImplicitStep::springs() const {
-  static const std::vector<Coupling> none;
+const std::vector<Spring>& ImplicitStep::springs() const {
+  static const std::vector<Spring> none;
   return springs_ ? *springs_ : none;
 }
 
@@ -138,7 +138,7 @@ bool ImplicitStep::solveCoupled(double time_step, const Motion& motion, Couplers
     const bool joined = joinGroups();
     if (joined) prepare(current(), true, time_step, motion);
     if (joined || !matrix_known_ || had_springs_ || !springs().empty())
-      matrix_known_ = current()->couplingsChanged(springs(), time_step);
+      matrix_known_ = current()->springsChanged(springs(), time_step);
     had_springs_ = !springs().empty();
     if (!matrix_known_) return false;
     if (k > 0) {
@@ -208,11 +208,11 @@ bool ImplicitStep::updateSprings(const Motion& motion, Couplers* couplers) {
 /// grow until the topology changes: pieces that lie on each other often come and go, and a solver takes time to turn.
 bool ImplicitStep::joinGroups() {
   bool joined = false;
-  for (const Coupling& coupling : springs()) {
+  for (const Spring& spring : springs()) {
     int group = -1;
-    for (int i = 0; i < coupling.count; ++i) {
-      if (held_[coupling.copies[i]] >= 0) continue;
-      const int other = memory_.group[coupling.copies[i]];
+    for (int i = 0; i < spring.count; ++i) {
+      if (held_[spring.copies[i]] >= 0) continue;
+      const int other = memory_.group[spring.copies[i]];
       if (group >= 0 && other != group) {
         if (group_at_start_.empty()) group_at_start_ = memory_.group;
         std::replace(memory_.group.begin(), memory_.group.end(), std::max(group, other), std::min(group, other));
@@ -271,10 +271,14 @@ SolveStats ImplicitStep::solve(double time_step, const Motion& motion, const Bas
   if (memory_.fallback_steps > 0) return fallback_->solve(r, rounding_, basis, &dv_);
   SolveStats stats = solver_->solve(r, rounding_, basis, &dv_);
   if (stats.converged) return stats;
-  if (!fallback_) fallback_ = std::make_unique<DirectSolver>();
+  if (!fallback_) {
+    SolverSettings direct = settings_;
+    direct.method = Method::DIRECT;
+    fallback_ = make_solver_(direct, assembly_.warping());
+  }
   memory_.fallback_steps = FALLBACK_STEPS;
   prepare(fallback_.get(), true, time_step, motion);
-  if (!fallback_->couplingsChanged(springs(), time_step)) return stats;
+  if (!fallback_->springsChanged(springs(), time_step)) return stats;
   const int iterations = stats.iterations;
   stats = fallback_->solve(r, rounding_, basis, &dv_);
   stats.iterations = iterations;

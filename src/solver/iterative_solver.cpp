@@ -73,14 +73,14 @@ void IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
   coarse_.matrixChanged(x, blocks_, assembly_->threads());
 }
 
-bool IterativeSolver::couplingsChanged(const std::vector<Coupling>& couplings, double time_step) {
+bool IterativeSolver::springsChanged(const std::vector<Spring>& springs, double time_step) {
   if (pattern_.rows() == 0) return true;
   const int threads = assembly_->threads();
   const auto& rows = coupled_.rows();
   parallelFor(static_cast<int>(rows.size()), threads, [&](int k) { invertDiagonal(rows[k], Mat3::Zero()); });
-  coupled_.set(couplings, time_step, pattern_, scale_);
+  coupled_.set(springs, time_step, pattern_, scale_);
   parallelFor(static_cast<int>(rows.size()), threads, [&](int k) { invertDiagonal(rows[k], coupled_.diagonal(k)); });
-  coarse_.couplingsChanged(coupled_, threads);
+  coarse_.springsChanged(coupled_, threads);
   return true;
 }
 
@@ -92,7 +92,7 @@ void IterativeSolver::invertDiagonal(int row, const Mat3& coupled) {
 }
 
 /// Must come before coupled_.multiplyRow.
-void IterativeSolver::stretchCouplings(const std::vector<Vec4f>& p) {
+void IterativeSolver::stretchSprings(const std::vector<Vec4f>& p) {
   parallelFor(coupled_.count(), assembly_->threads(), [&](int c) { coupled_.stretch(c, p); });
 }
 
@@ -160,7 +160,7 @@ void IterativeSolver::guess(const Basis& basis) {
     });
   }
   for (int j = 0; j < BASIS_SIZE && coupled_.count() > 0; ++j) {
-    stretchCouplings(basis_[j]);
+    stretchSprings(basis_[j]);
     parallelFor(pattern_.rows(), threads, [&](int i) { (*A_basis[j])[i] = coupled_.multiplyRow(i); });
   }
   parallelFor(aggregates_.count(), threads, [&](int a) {
@@ -207,7 +207,7 @@ int IterativeSolver::iterate(double target) {
     rz = next_rz;
     if (!(rz > 0)) return iteration;
     parallelFor(rows, threads, [&](int i) { p_[i] = z_[i] + beta * p_[i]; });
-    if (coupled_.count() > 0) stretchCouplings(p_);
+    if (coupled_.count() > 0) stretchSprings(p_);
     const double pAp = sumOverRows(rows, threads, &terms_, [&](int i) {
       Vec4f Ap = multiplyRow(pattern_, blocks_, i, p_);
       if (coupled_.count() > 0) Ap += coupled_.multiplyRow(i);

@@ -54,9 +54,9 @@ void PiecewiseSolver::matrixChanged(const std::vector<Vec3>& x) {
   if (any_iterative_) iterative_.matrixChanged(x);
 }
 
-bool PiecewiseSolver::couplingsChanged(const std::vector<Coupling>& couplings, double time_step) {
-  return (!any_direct_ || direct_.couplingsChanged(couplings, time_step)) &&
-         (!any_iterative_ || iterative_.couplingsChanged(couplings, time_step));
+bool PiecewiseSolver::springsChanged(const std::vector<Spring>& springs, double time_step) {
+  return (!any_direct_ || direct_.springsChanged(springs, time_step)) &&
+         (!any_iterative_ || iterative_.springsChanged(springs, time_step));
 }
 
 SolveStats PiecewiseSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,

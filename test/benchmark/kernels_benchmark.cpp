@@ -129,7 +129,7 @@ void coarseMatrix(State& state) {
   measure(state, bar, bytesOf(matrix) + VECTOR * bar.copies(), [&] {
     return secondsOf([&] {
       coarse.matrixChanged(bar.x, matrix.blocks, THREADS);
-      coarse.couplingsChanged(CoupledRows(), THREADS);
+      coarse.springsChanged(CoupledRows(), THREADS);
     });
   });
 }
@@ -141,7 +141,7 @@ void coarseSolve(State& state) {
   CoarseSpace coarse;
   coarse.topologyChanged(matrix.pattern, matrix.aggregates, matrix.scale);
   coarse.matrixChanged(bar.x, matrix.blocks, THREADS);
-  coarse.couplingsChanged(CoupledRows(), THREADS);
+  coarse.springsChanged(CoupledRows(), THREADS);
   const std::vector<Vec4f> r(matrix.pattern.rows(), Vec4f(1, -2, 3, 0));
   std::vector<Vec4f> z(r.size());
   measure(state, bar, 2 * FLOAT_VECTOR * static_cast<double>(r.size()), [&] {
@@ -192,7 +192,7 @@ void choleskyFactor(State& state) {
   measure(state, bar, bytes, [&] {
     return secondsOf([&] {
       solver.matrixChanged(bar.x);
-      solver.couplingsChanged({}, TIME_STEP);
+      solver.springsChanged({}, TIME_STEP);
     });
   });
 }

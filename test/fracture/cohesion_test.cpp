@@ -43,7 +43,7 @@ class BrokenBar : public Rig {
     for (std::size_t c = 0; c < v.size(); ++c)
       if (onPositiveSide(static_cast<int>(c))) v[c] = by / TIME_STEP;
     const bool bonded = begin();
-    std::vector<Coupling> springs;
+    std::vector<Spring> springs;
     while (bonded && cohesion.update({TIME_STEP}, v, &springs)) springs.clear();
     std::vector<Vec3> impulses(v.size(), Vec3::Zero());
     addImpulses(springs, TIME_STEP, v, &impulses);
@@ -137,17 +137,17 @@ TEST(Cohesion, ALaterCrackDoesNotChangeWhatTheFacesFeel) {
   halved.cut(plane(Vec3(0, 0.11, 0), Vec3::UnitY()));
   halved.cohesion.changed(halved.mesh);
   const double spent = halved.cohesion.dissipated();
-  std::vector<Coupling> couplings;
+  std::vector<Spring> springs;
   ASSERT_TRUE(halved.begin());
-  halved.cohesion.update({TIME_STEP}, std::vector<Vec3>(halved.motion.x.size(), Vec3::Zero()), &couplings);
+  halved.cohesion.update({TIME_STEP}, std::vector<Vec3>(halved.motion.x.size(), Vec3::Zero()), &springs);
   int count = 0;
   const std::vector<int> piece = halved.mesh.copyPieces(&count);
   ASSERT_EQ(count, 4);
   double pull = 0;
-  for (const Coupling& coupling : couplings) {
-    pull += coupling.force.norm();
+  for (const Spring& spring : springs) {
+    pull += spring.force.norm();
     std::set<int> pieces;
-    for (int i = 0; i < coupling.count; ++i) pieces.insert(piece[coupling.copies[i]]);
+    for (int i = 0; i < spring.count; ++i) pieces.insert(piece[spring.copies[i]]);
     EXPECT_EQ(pieces.size(), 2u);  // one on either side
   }
   EXPECT_NEAR(pull, whole.move(Vec3::Zero()).norm(), 1e-9 * STRENGTH * AREA);

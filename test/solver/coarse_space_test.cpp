@@ -26,7 +26,7 @@ TEST(CoarseSpace, AddsNothingOnceItsMatrixIsNotPositiveDefinite) {
   coarse.topologyChanged(pattern, aggregates, scale);
   const auto largestCorrection = [&] {
     coarse.matrixChanged(rig.motion.x, blocks, 1);
-    coarse.couplingsChanged(CoupledRows(), 1);
+    coarse.springsChanged(CoupledRows(), 1);
     for (int a = 0; a < aggregates.count(); ++a) coarse.restrictAggregate(a, r);
     coarse.solve();
     float largest = 0;
@@ -35,7 +35,7 @@ TEST(CoarseSpace, AddsNothingOnceItsMatrixIsNotPositiveDefinite) {
   };
   EXPECT_GT(largestCorrection(), 0);
 
-  // Ten times the coupling of two aggregates, and no more on the diagonal.
+  // Ten times the spring of two aggregates, and no more on the diagonal.
   for (int row = 0; row < pattern.rows(); ++row)
     for (int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
       if (aggregates.of[row] != aggregates.of[pattern.column[k]])

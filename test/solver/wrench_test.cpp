@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "incision/solver/coupling.h"
+#include "incision/solver/spring.h"
 #include "support/given_springs.h"
 
 namespace incision {
@@ -16,12 +16,12 @@ RigSettings settings() {
 }
 
 /// Springs between the tool and any points of the body, about as stiff as an element is.
-std::vector<Coupling> springsTo(const Rig& rig, unsigned seed) {
+std::vector<Spring> springsTo(const Rig& rig, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_int_distribution<int> anyCopy(0, rig.mesh.numCopies() - 1);
-  std::vector<Coupling> springs;
+  std::vector<Spring> springs;
   for (const Vec3& force : randomVectors(10, 100, seed)) {
-    Coupling spring;
+    Spring spring;
     for (const double weight : {0.1, 0.2, 0.3, 0.4}) spring.add(anyCopy(generator), weight);
     spring.stiffness = 1e4 * (Mat3::Identity() + 1e-4 * force * force.transpose());
     spring.force = force;
@@ -32,7 +32,7 @@ std::vector<Coupling> springsTo(const Rig& rig, unsigned seed) {
 
 TEST(Wrench, IsAgainstTheImpulsesAndTheirMoment) {
   Rig rig(block({2, 2, 2}, Vec3::Ones()), settings());
-  const std::vector<Coupling> springs = springsTo(rig, 1);
+  const std::vector<Spring> springs = springsTo(rig, 1);
   const std::vector<Vec3> v_end = randomVectors(rig.motion.x.size(), 1, 2);
   std::vector<Vec3> impulses(rig.motion.x.size(), Vec3::Zero());
   addImpulses(springs, rig.time_step, v_end, &impulses);
@@ -42,7 +42,7 @@ TEST(Wrench, IsAgainstTheImpulsesAndTheirMoment) {
     sum.torque -= rig.motion.x[c].cross(impulses[c]) / rig.time_step;
   }
   Wrench wrench;
-  for (const Coupling& spring : springs) {
+  for (const Spring& spring : springs) {
     const Wrench one = wrenchOf(spring, rig.time_step, rig.motion.x, v_end);
     wrench.force += one.force;
     wrench.torque += one.torque;
@@ -51,15 +51,15 @@ TEST(Wrench, IsAgainstTheImpulsesAndTheirMoment) {
   EXPECT_LT((wrench.torque - sum.torque).norm(), 1e-12 * sum.torque.norm());
 }
 
-// Couplings that are never content: the step ends somewhere between two solves.
+// Springs that are never content: the step ends somewhere between two solves.
 TEST(Wrench, TakesTheMomentumThatTheBodyGainsWhereverTheStepEnds) {
   for (const bool alternate : {false, true}) {
     Rig rig(block({2, 2, 2}, Vec3::Ones()), settings());
-    const std::vector<Coupling> springs[2] = {springsTo(rig, 1), springsTo(rig, 2)};
+    const std::vector<Spring> springs[2] = {springsTo(rig, 1), springsTo(rig, 2)};
     for (int n = 0; n < 5; ++n) {
       const Vec3 before = rig.momentum();
       int calls = 0;
-      GivenSprings given([&](const std::vector<Vec3>&, std::vector<Coupling>* list) {
+      GivenSprings given([&](const std::vector<Vec3>&, std::vector<Spring>* list) {
         *list = springs[calls % 2];
         ++calls;
         return alternate;
@@ -76,8 +76,8 @@ TEST(Wrench, TakesTheMomentumThatTheBodyGainsWhereverTheStepEnds) {
 TEST(Wrench, GoesToTheCouplerWhoseSpringsGiveIt) {
   Rig rig(block({2, 2, 2}, Vec3::Ones()), settings());
   const auto giving = [&](unsigned seed) {
-    return GivenSprings([&rig, seed](const std::vector<Vec3>&, std::vector<Coupling>* list) {
-      for (const Coupling& spring : springsTo(rig, seed)) list->push_back(spring);
+    return GivenSprings([&rig, seed](const std::vector<Vec3>&, std::vector<Spring>* list) {
+      for (const Spring& spring : springsTo(rig, seed)) list->push_back(spring);
       return false;
     });
   };

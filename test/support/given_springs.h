@@ -11,14 +11,14 @@ namespace incision {
 /// A coupler whose springs a test gives, between the body and something outside.
 class GivenSprings : public WithMemory<Coupler, int> {
  public:
-  using Give = std::function<bool(const std::vector<Vec3>& v_end, std::vector<Coupling>* springs)>;
+  using Give = std::function<bool(const std::vector<Vec3>& v_end, std::vector<Spring>* springs)>;
 
   /// `give` appends the springs, and says whether they differ from the last ones.
   explicit GivenSprings(Give give) : give_(std::move(give)) {}
 
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& /*start*/) override { return true; }
-  bool update(const StepSpan& /*span*/, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override {
+  bool update(const StepSpan& /*span*/, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override {
     return give_(v_end, springs);
   }
   void accept(const StepSpan& /*span*/, const Motion& /*end*/, const Wrench& felt) override { felt_ = felt; }

@@ -15,8 +15,6 @@ class BodyContact : public Contact {
   BodyContact(const ContactSettings& settings, const Obstacles& obstacles, const std::vector<RigidMotion>& motions,
               ContactSkin* skin);
 
-  void recall(const std::any& kept) override;
-
  protected:
   void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
             std::vector<Candidate>* candidates) override;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "incision/solver/coupling.h"
+#include "incision/solver/spring.h"
 #include "incision/surface/surface.h"
 
 namespace incision {
@@ -38,7 +38,7 @@ struct Candidate {
   double size;           ///< h of the elements there [m]
   Vec3 slip;             ///< s, tangential: how far the point has dragged on the partner, elastically [m]
   Vec3 normal_in_solid;  ///< the normal in the frame of the solid
-  Coupling point;        ///< y: the point less what it meets on the body; its stiffness and force are for update()
+  Spring point;          ///< y: the point less what it meets on the body; its stiffness and force are for update()
 
   static constexpr int BODY = -1;
 };

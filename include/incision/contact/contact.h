@@ -21,7 +21,7 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
 
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override;
+  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
   void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
   void recall(const std::any& kept) override;
 
@@ -45,7 +45,7 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
     bool presses;
   };
   Trial tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const;
-  Coupling springOf(const Candidate& candidate, const Trial& trial) const;
+  Spring springOf(const Candidate& candidate, const Trial& trial) const;
   const std::vector<Touch>& touchesOnSkin();
   void continueTouches(const std::vector<Touch>& touches, double time_step);
   int sampleOfVertex(int sample) const;

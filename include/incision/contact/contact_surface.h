@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "incision/solver/coupling.h"
+#include "incision/solver/spring.h"
 #include "incision/surface/surface.h"
 
 namespace incision {
@@ -37,7 +37,7 @@ struct ContactSurface {
 /// `surface` must outlive the result; `piece` of each copy.
 ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece);
 
-/// Adds `sign` times the position of a vertex to what a coupling holds.
-void addVertex(const SurfaceVertex& vertex, double sign, Coupling* coupling);
+/// Adds `sign` times the position of a vertex to what a spring holds.
+void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring);
 
 }  // namespace incision

@@ -47,7 +47,7 @@ class FragmentFinder {
                     std::vector<Pair>* pairs) const;
   bool meets(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle, int sample, Pair* pair) const;
   Pair placed(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair) const;
-  static Coupling between(const ContactSurface& surface, const Pair& pair);
+  static Spring between(const ContactSurface& surface, const Pair& pair);
   int twinOf(const ContactSurface& surface, const Pair& pair) const;
   Candidate candidate(const ContactSurface& surface, const Pair& pair, double share, double stiffness) const;
   Cell cellOf(const Vec3& point) const;

@@ -37,7 +37,7 @@ class Cohesion : public WithMemory<Coupler, CohesionMemory> {
 
   void changed(const CutMesh& mesh) override;
   bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override;
+  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
   void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
 
   /// Energy that opening cracks has taken for good [J].
@@ -46,7 +46,7 @@ class Cohesion : public WithMemory<Coupler, CohesionMemory> {
  private:
   /// A bond in this step.
   struct Stretch {
-    Coupling bonded;      // y = plus − minus; its stiffness and force are for update()
+    Spring bonded;        // y = plus − minus; its stiffness and force are for update()
     bool parted = false;  // whether the two sides have any copies of their own yet
     Vec3 start;           // y at the step's start [m]
     Vec3 normal;          // unit, there

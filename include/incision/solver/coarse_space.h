@@ -20,8 +20,8 @@ class CoarseSpace {
   /// Takes the modes at the positions `x` [m] and the coarse matrix of the scaled float blocks.
   void matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads);
 
-  /// Adds the couplings to that in place of the last ones, and factorises it.
-  void couplingsChanged(const CoupledRows& couplings, int threads);
+  /// Adds the springs to that in place of the last ones, and factorises it.
+  void springsChanged(const CoupledRows& springs, int threads);
 
   /// Coarse right-hand side of one aggregate from the residual of its rows.
   void restrictAggregate(int aggregate, const std::vector<Vec4f>& r);
@@ -35,9 +35,9 @@ class CoarseSpace {
  private:
   using CoarseBlock = Eigen::Matrix<double, 6, 6>;
 
-  /// What a coupling sees of an aggregate's modes: Σ_i g_i Q_i = [a 1 | −[b]×] over its rows there.
+  /// What a spring sees of an aggregate's modes: Σ_i g_i Q_i = [a 1 | −[b]×] over its rows there.
   struct CoarseEnd {
-    int aggregate, coupling;
+    int aggregate, spring;
     double a;
     Vec3 b;
   };
@@ -47,19 +47,19 @@ class CoarseSpace {
   void placeModes(int aggregate, const std::vector<Vec3>& x);
   void projectAggregate(int aggregate, const std::vector<float>& blocks);
   int blockAt(int I, int J) const;
-  void findEnds(const CoupledRows& couplings);
+  void findEnds(const CoupledRows& springs);
   void findPairs();
-  void addCouplings(int aggregate, const CoupledRows& couplings);
+  void addSprings(int aggregate, const CoupledRows& springs);
   bool factorise(double regularisation);
 
   const BlockPattern* pattern_ = nullptr;
   const Aggregates* aggregates_ = nullptr;
   std::vector<Vec4f> arm_;                  // √d (x_i − c)/ρ and √d of each row
   Lists<int> columns_;                      // J ≤ I of the coarse blocks (I, J) in each row I, ascending
-  std::vector<std::pair<int, int>> extra_;  // those that only couplings have needed, since the topology changed
+  std::vector<std::pair<int, int>> extra_;  // those that only springs have needed, since the topology changed
   std::vector<CoarseBlock> coarse_blocks_, uncoupled_blocks_;
-  bool coupled_ = false;     // coarse_blocks_ has couplings in it
-  Lists<CoarseEnd> ends_;    // of each coupling
+  bool coupled_ = false;     // coarse_blocks_ has springs in it
+  Lists<CoarseEnd> ends_;    // of each spring
   Lists<int> ends_within_;   // which of ends_.values() are in each aggregate
   std::vector<int> source_;  // of each entry of the lower triangle, in coarse_blocks_
   std::vector<int> unknown_row_, unknown_column_;

@@ -4,48 +4,48 @@
 
 #include "incision/base/lists.h"
 #include "incision/fem/block_matrix.h"
-#include "incision/solver/coupling.h"
+#include "incision/solver/spring.h"
 
 namespace incision {
 
-/// What couplings add to the matrix of an iteration: Σ_c G_cᵀ K_c G_c, with G_c p = Σ_i g_i p_i over the rows i that a
-/// coupling acts on. It is never put into the pattern, since it changes from step to step.
+/// What springs add to the matrix of an iteration: Σ_c G_cᵀ K_c G_c, with G_c p = Σ_i g_i p_i over the rows i that a
+/// spring acts on. It is never put into the pattern, since it changes from step to step.
 class CoupledRows {
  public:
-  /// One copy's share in a coupling.
+  /// One copy's share in a spring.
   struct End {
     int row;
     float g;  ///< weight × scale of the row
   };
 
-  /// Takes over Δt² K of all couplings that act on a row of the pattern. `scale` gives s of each row.
-  void set(const std::vector<Coupling>& couplings, double time_step, const BlockPattern& pattern,
+  /// Takes over Δt² K of all springs that act on a row of the pattern. `scale` gives s of each row.
+  void set(const std::vector<Spring>& springs, double time_step, const BlockPattern& pattern,
            const std::vector<double>& scale);
 
   int count() const { return static_cast<int>(stiffness_.size()); }
-  /// The ends of each coupling.
+  /// The ends of each spring.
   const Lists<End>& ends() const { return ends_; }
   /// Δt² K_c, with a fourth row of zeros.
   const Eigen::Matrix<float, 4, 3>& stiffness(int c) const { return stiffness_[c]; }
 
-  /// The rows that couplings act on, ascending.
+  /// The rows that springs act on, ascending.
   const std::vector<int>& rows() const { return rows_; }
   /// The block they add to the diagonal in row rows()[k].
   Mat3 diagonal(int k) const;
 
-  /// Keeps K_c G_c p of coupling c, for multiplyRow.
+  /// Keeps K_c G_c p of spring c, for multiplyRow.
   void stretch(int c, const std::vector<Vec4f>& p);
-  /// What the couplings add to the product in one row.
+  /// What the springs add to the product in one row.
   Vec4f multiplyRow(int row) const {
     Vec4f sum = Vec4f::Zero();
-    for (const Share& share : shares_[row]) sum += share.g * force_[share.coupling];
+    for (const Share& share : shares_[row]) sum += share.g * force_[share.spring];
     return sum;
   }
 
  private:
-  /// One coupling's share in a row.
+  /// One spring's share in a row.
   struct Share {
-    int coupling;
+    int spring;
     float g;
   };
   void findShares(int rows);

@@ -6,8 +6,8 @@
 #include "incision/base/memory.h"
 #include "incision/cut/cut_mesh.h"
 #include "incision/rigid/wrench.h"
-#include "incision/solver/coupling.h"
 #include "incision/solver/motion.h"
+#include "incision/solver/spring.h"
 
 namespace incision {
 
@@ -44,7 +44,7 @@ class Coupler : public Remembers {
 
   /// Appends the springs for these velocities at the step's end [m/s]; before the first solve they are a guess. Returns
   /// whether the springs differ from those of the last call by enough for another solve.
-  virtual bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) = 0;
+  virtual bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) = 0;
 
   /// The step has been taken. `felt` is what the springs have done to their other end, as wrenchOf says; without
   /// another end it is zero.

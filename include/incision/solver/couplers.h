@@ -23,7 +23,7 @@ class Couplers {
   bool update(const std::vector<Vec3>& v_end);
 
   /// Those found last, each with the index of its coupler.
-  const std::vector<Coupling>& springs() const { return springs_; }
+  const std::vector<Spring>& springs() const { return springs_; }
 
   /// What the springs do to the other end of each coupler, as wrenchOf says, for the copies' positions `x` [m] at the
   /// step's start; zero for couplers that have no other end.
@@ -32,8 +32,8 @@ class Couplers {
   /// The step has been taken. `felt` is the wrench on each coupler's other end.
   void accept(const Motion& end, const std::vector<Wrench>& felt);
 
-  /// Joins the pieces that couplers tie together: they are numbered anew, in the order in which they were. `piece` is that
-  /// of each copy. Returns how many pieces there are.
+  /// Joins the pieces that couplers tie together: they are numbered anew, in the order in which they were. `piece` is
+  /// that of each copy. Returns how many pieces there are.
   int joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piece) const;
 
   std::vector<std::any> keep() const;
@@ -43,7 +43,7 @@ class Couplers {
   std::vector<Coupler*> list_;
   std::vector<char> may_act_;  // in this step, of each coupler
   StepSpan span_ = {};
-  std::vector<Coupling> springs_;
+  std::vector<Spring> springs_;
 };
 
 }  // namespace incision

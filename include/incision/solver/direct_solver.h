@@ -13,31 +13,31 @@ class DirectSolver : public LinearSolver {
  public:
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
-  bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) override;
+  bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 
-  /// Blocks that are factorised for couplings alone.
+  /// Blocks that are factorised for springs alone.
   int extraBlocks() const { return static_cast<int>(extra_.size()); }
 
  private:
   void analyse();
   bool factorise(const std::vector<double>& blocks);
   int blockAt(int row, int column) const;
-  void findBlocks(const std::vector<Coupling>& couplings);
+  void findBlocks(const std::vector<Spring>& springs);
 
   const Assembly* assembly_ = nullptr;
   SystemFactors factors_{};
   BlockPattern pattern_;
-  // Blocks beside the pattern's, row ≤ column, ascending: where couplings have been of late.
+  // Blocks beside the pattern's, row ≤ column, ascending: where springs have been of late.
   std::vector<std::pair<int, int>> extra_;
-  std::vector<char> used_;  // of each: by the couplings now
+  std::vector<char> used_;  // of each: by the springs now
   int idle_ = 0;            // factorisations in a row in which less than half of them were used
   PieceNorms norms_;
   std::vector<double> ones_;  // of each row
   std::vector<int> source_;   // of each entry of the lower triangle, in blocks_
   BlockAssembler<double> assembler_;
-  std::vector<double> blocks_, coupled_blocks_;  // of the pattern; with the extra ones and the couplings
+  std::vector<double> blocks_, coupled_blocks_;  // of the pattern; with the extra ones and the springs
   std::vector<double> values_, b_, solution_;
   SparseCholesky cholesky_;
   std::vector<Vec3> residual_;  // by copy

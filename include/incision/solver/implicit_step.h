@@ -76,7 +76,7 @@ class ImplicitStep {
   double searchLine(double time_step, const Motion& motion, Couplers* couplers);
   double slopeAlongSearch(double time_step, const Motion& motion);
   bool joinGroups();
-  const std::vector<Coupling>& springs() const;
+  const std::vector<Spring>& springs() const;
   LinearSolver* current() { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
   void remember();
   SolveStats solve(double time_step, const Motion& motion, const Basis& basis);
@@ -105,7 +105,7 @@ class ImplicitStep {
   std::vector<Vec3> dv_, external_, y_, inertia_, v_end_;
   std::vector<Vec3> search_start_, search_direction_, search_residual_;  // of the line search, in terms of Δv
   std::vector<Wrench> felt_, felt_at_start_;                             // at Δv, and where the line search starts
-  const std::vector<Coupling>* springs_ = nullptr;                       // that act now; null: none
+  const std::vector<Spring>* springs_ = nullptr;                         // that act now; null: none
   bool had_springs_ = false;  // the matrix that the solver knows holds springs
   SolveStats stats_;
   StepTimes times_;

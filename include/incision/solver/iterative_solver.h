@@ -17,13 +17,13 @@ class IterativeSolver : public LinearSolver {
 
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
-  bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) override;
+  bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 
  private:
   bool floatIsTooCoarse(const std::vector<Vec3>& dv);
-  void stretchCouplings(const std::vector<Vec4f>& p);
+  void stretchSprings(const std::vector<Vec4f>& p);
   void invertDiagonal(int row, const Mat3& coupled);
   void scaleResidual();
   void guess(const Basis& basis);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "incision/fem/block_matrix.h"
-#include "incision/solver/coupling.h"
 #include "incision/solver/first_guess.h"
 #include "incision/solver/settings.h"
+#include "incision/solver/spring.h"
 
 namespace incision {
 
@@ -29,11 +29,11 @@ struct SystemChange {
   /// Of each copy, whether its Δv is no unknown of this solver: it is held, or another solver finds it.
   const std::vector<bool>& left_out;
   const std::vector<int>& piece;    ///< of each copy
-  const std::vector<int>& group;    ///< of each copy; couplings act on pieces of one group only
+  const std::vector<int>& group;    ///< of each copy; springs act on pieces of one group only
   const std::vector<int>& touched;  ///< nodes round which parts or copies have changed; without meaning the first time
 };
 
-/// Solves A Δv = b for the copies that are not left out; A = mass M + stiffness K and Δt² times the couplings'
+/// Solves A Δv = b for the copies that are not left out; A = mass M + stiffness K and Δt² times the springs'
 /// stiffness.
 class LinearSolver {
  public:
@@ -42,11 +42,11 @@ class LinearSolver {
   /// Before anything else, after a cut and when the factors change; `assembly` must outlive the solver.
   virtual void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) = 0;
 
-  /// After the rotations changed; `x` are the copies' positions [m]. couplingsChanged must follow.
+  /// After the rotations changed; `x` are the copies' positions [m]. springsChanged must follow.
   virtual void matrixChanged(const std::vector<Vec3>& x) = 0;
 
-  /// After the couplings changed, those of a step of `time_step` [s]. Returns false when A is not positive definite.
-  virtual bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) = 0;
+  /// After the springs changed, those of a step of `time_step` [s]. Returns false when A is not positive definite.
+  virtual bool springsChanged(const std::vector<Spring>& springs, double time_step) = 0;
 
   /// Finds `dv`, which comes with the values of the copies that are left out. The solution is likely near a sum of
   /// multiples of the vectors in `basis`. `rounding` bounds what rounding does to the residual at each copy.

@@ -16,7 +16,7 @@ class PiecewiseSolver : public LinearSolver {
 
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
-  bool couplingsChanged(const std::vector<Coupling>& couplings, double time_step) override;
+  bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 

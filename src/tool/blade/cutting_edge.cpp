@@ -84,7 +84,7 @@ bool CuttingEdge::begin(const StepStart& start) {
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(stations_.size());
     const Vec3 point = atStation(from, at);
-    stations_[i] = {memory_[i], Coupling(), atStation(to, at) - point};
+    stations_[i] = {memory_[i], Spring(), atStation(to, at) - point};
     beginStation(point, start, &stations_[i]);
     const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0);
     resists = resists || stations_[i].tissue.count > 0 || forgets;
@@ -179,7 +179,7 @@ CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, double time_step, 
   return trial;
 }
 
-bool CuttingEdge::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) {
+bool CuttingEdge::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) {
   bool differ = false;
   const auto differs = [](double a, double b) { return std::abs(a - b) > STIFFNESS_TOLERANCE * std::max(a, b); };
   for (Station& station : stations_) {
@@ -189,7 +189,7 @@ bool CuttingEdge::update(const StepSpan& span, const std::vector<Vec3>& v_end, s
     station.across = trial.across;
     station.along = trial.along;
     if (trial.across == 0) continue;
-    Coupling spring = station.tissue;
+    Spring spring = station.tissue;
     const Mat3 along = direction_ * direction_.transpose();
     spring.stiffness = trial.across * (Mat3::Identity() - along) + trial.along * along;
     spring.force = spring.stiffness * (station.start.slip + station.drift);

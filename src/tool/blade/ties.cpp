@@ -113,7 +113,7 @@ bool Ties::begin(const StepStart& start) {
     const double s = std::max((tie.share() - tie.share_then) / (1 - tie.share_then), FIRST_SHARE);
     const double stiffness = tie.steepness * (1 - s) / s * (1 - s) * tie.area / 3;
     for (const Barycentric& anchor : tie.anchors) {
-      Coupling& spring = springs_.emplace_back();
+      Spring& spring = springs_.emplace_back();
       for (int I = 0; I < 4; ++I) spring.add(plus.copies[I], anchor[I]);
       for (int I = 0; I < 4; ++I) spring.add(minus.copies[I], -anchor[I]);
       spring.stiffness = stiffness * Mat3::Identity();
@@ -123,7 +123,7 @@ bool Ties::begin(const StepStart& start) {
   return !springs_.empty();
 }
 
-bool Ties::update(const StepSpan& /*span*/, const std::vector<Vec3>& /*v_end*/, std::vector<Coupling>* springs) {
+bool Ties::update(const StepSpan& /*span*/, const std::vector<Vec3>& /*v_end*/, std::vector<Spring>* springs) {
   springs->insert(springs->end(), springs_.begin(), springs_.end());
   return false;
 }

@@ -126,9 +126,9 @@ struct Impact {
     Contact contact(ground, loadObstacles(ground, "", ""), young_modulus, 1);
     const Surface surface = buildSurface(body.mesh);
     contact.surfaceChanged(surface, body.mesh, body.step.pieceOf());
-    const Couple couple = [&](double time_step, const std::vector<Vec3>& v, std::vector<Coupling>* couplings) {
-      couplings->clear();
-      return contact.update(time_step, v, couplings);
+    const Couple couple = [&](double time_step, const std::vector<Vec3>& v, std::vector<Spring>* springs) {
+      springs->clear();
+      return contact.update(time_step, v, springs);
     };
     const double first = body.energy();
     for (bool good = true; body.time < duration && good; body.time += dt) {

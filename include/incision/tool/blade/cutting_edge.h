@@ -36,7 +36,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
 
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override;
+  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
   void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
   bool hasOtherEnd() const override { return true; }
 
@@ -49,7 +49,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   /// A station in this step.
   struct Station {
     StationMemory start;
-    Coupling tissue;               // the material at the station; count 0: none resists
+    Spring tissue;                 // the material at the station; count 0: none resists
     Vec3 drift = Vec3::Zero();     // of the edge in the step [m]
     double stiffest = 0;           // the most stiffness it can have [N/m]
     double across = 0, along = 0;  // stiffness that the last springs have [N/m]
@@ -63,7 +63,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   /// What is where a point is: the material that resists there, nothing in a slit, the sides of a tied section alike;
   /// and how far below the skin, at rest [m].
   struct Found {
-    Coupling tissue;
+    Spring tissue;
     int element;
     double depth = 0;
   };

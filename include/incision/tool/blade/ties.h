@@ -81,7 +81,7 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
 
   void changed(const CutMesh& mesh) override;
   bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Coupling>* springs) override;
+  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
   void accept(const StepSpan& /*span*/, const Motion& /*end*/, const Wrench& /*felt*/) override {}
   void joinPieces(const CutMesh& mesh, const std::vector<int>& piece, DisjointSets* sets) const override;
 
@@ -103,7 +103,7 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
 
   const Materials& materials_;
   bool progressive_;
-  std::vector<Coupling> springs_;  // of this step
+  std::vector<Spring> springs_;  // of this step
 };
 
 }  // namespace incision

@@ -11,7 +11,7 @@ namespace incision {
 
 /// A linear spring that holds copies against each other or against something outside. With y = Σ_i weights[i] x_i the
 /// force F − K Δt ẏ acts on y at the end of a step, ẏ being of the velocities there; each copy feels weights[i] of it.
-struct Coupling {
+struct Spring {
   std::array<int, 8> copies;  ///< the first `count` of them, each once
   std::array<double, 8> weights;
   int count = 0;
@@ -31,22 +31,22 @@ struct Coupling {
 };
 
 /// Σ_i weights[i] values[copies[i]]: y of the positions, ẏ of the velocities.
-inline Vec3 weightedSum(const Coupling& coupling, const std::vector<Vec3>& values) {
+inline Vec3 weightedSum(const Spring& spring, const std::vector<Vec3>& values) {
   Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < coupling.count; ++i) sum += coupling.weights[i] * values[coupling.copies[i]];
+  for (int i = 0; i < spring.count; ++i) sum += spring.weights[i] * values[spring.copies[i]];
   return sum;
 }
 
 /// Δt times the force on y [N s], for the velocities `v_end` at the end of the step.
-Vec3 impulseOf(const Coupling& coupling, double time_step, const std::vector<Vec3>& v_end);
+Vec3 impulseOf(const Spring& spring, double time_step, const std::vector<Vec3>& v_end);
 
-/// Adds Δt times the forces [N s] of the couplings at the velocities `v_end` at the end of the step.
-void addImpulses(const std::vector<Coupling>& couplings, double time_step, const std::vector<Vec3>& v_end,
+/// Adds Δt times the forces [N s] of the springs at the velocities `v_end` at the end of the step.
+void addImpulses(const std::vector<Spring>& springs, double time_step, const std::vector<Vec3>& v_end,
                  std::vector<Vec3>* impulses);
 
 /// What the body does to the spring's other end, on the mean of a step of `time_step` [s]: against the spring's force,
 /// about the origin of the body's frame. It acts where the copies are at the step's start, at `x` [m]: by that lever it
 /// changes Σ x × m v from the step's start to its end. `v_end` are the velocities at the end [m/s].
-Wrench wrenchOf(const Coupling& coupling, double time_step, const std::vector<Vec3>& x, const std::vector<Vec3>& v_end);
+Wrench wrenchOf(const Spring& spring, double time_step, const std::vector<Vec3>& x, const std::vector<Vec3>& v_end);
 
 }  // namespace incision

@@ -1,4 +1,4 @@
-#include "incision/solver/coupling.h"
+#include "incision/solver/spring.h"
 
 #include <gtest/gtest.h>
 
@@ -28,13 +28,13 @@ struct ThrownPieces : Rig {
 };
 
 // Springs between any copies, each a hundred times as stiff across as along, and stretched at first.
-std::vector<Coupling> randomSprings(const Rig& rig, double stiffness) {
+std::vector<Spring> randomSprings(const Rig& rig, double stiffness) {
   std::mt19937 generator(7);
   std::uniform_int_distribution<int> anyCopy(0, rig.mesh.numCopies() - 1);
   const std::vector<Vec3> directions = randomVectors(40, 1, 11);
-  std::vector<Coupling> springs;
+  std::vector<Spring> springs;
   for (const Vec3& n : directions) {
-    Coupling spring;
+    Spring spring;
     for (int i = 0; i < 4; ++i) spring.add(anyCopy(generator), 0.25);
     for (int i = 0; i < 4; ++i) spring.add(anyCopy(generator), -0.25);
     const Mat3 across = n.normalized() * n.normalized().transpose();
@@ -45,8 +45,8 @@ std::vector<Coupling> randomSprings(const Rig& rig, double stiffness) {
   return springs;
 }
 
-bool advance(Rig* rig, const std::vector<Coupling>& springs) {
-  GivenSprings given([&](const std::vector<Vec3>&, std::vector<Coupling>* list) {
+bool advance(Rig* rig, const std::vector<Spring>& springs) {
+  GivenSprings given([&](const std::vector<Vec3>&, std::vector<Spring>* list) {
     *list = springs;
     return false;
   });
@@ -84,9 +84,9 @@ TEST_P(Springs, KeepTheMomentum) {
   EXPECT_LT((rig.momentum() - before).norm(), 1e-10 * before.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(Coupling, Springs, ::testing::Values(1e2, 1e4, 1e6));
+INSTANTIATE_TEST_SUITE_P(Spring, Springs, ::testing::Values(1e2, 1e4, 1e6));
 
-TEST(Coupling, ThatIsGoneLeavesNothingBehind) {
+TEST(Spring, ThatIsGoneLeavesNothingBehind) {
   for (const Method method : {Method::DIRECT, Method::ITERATIVE}) {
     ThrownPieces held(method), free(method);
     ASSERT_TRUE(advance(&held, randomSprings(held, 1e6)));
@@ -101,33 +101,33 @@ TEST(Coupling, ThatIsGoneLeavesNothingBehind) {
 }
 
 // As from one surface sliding on another: what they have left must not fill the factor for good.
-TEST(Coupling, ThatMovesOnLeavesNoTrailInTheFactor) {
+TEST(Spring, ThatMovesOnLeavesNoTrailInTheFactor) {
   const ThrownPieces rig(Method::DIRECT);
   const std::vector<int> none(rig.mesh.numCopies(), 0);
   DirectSolver solver;
   solver.systemChanged(rig.step.assembly(), {std::vector<bool>(none.size(), false), none, none, {}}, {1, 1e-4});
   solver.matrixChanged(rig.motion.x);
   const auto springs = randomSprings(rig, 1e4);
-  ASSERT_TRUE(solver.couplingsChanged({springs[0]}, 0.01));
+  ASSERT_TRUE(solver.springsChanged({springs[0]}, 0.01));
   const int of_one = solver.extraBlocks();
   ASSERT_GT(of_one, 10);
-  for (const Coupling& spring : springs) {
-    ASSERT_TRUE(solver.couplingsChanged({spring}, 0.01));
+  for (const Spring& spring : springs) {
+    ASSERT_TRUE(solver.springsChanged({spring}, 0.01));
     EXPECT_LE(solver.extraBlocks(), 3 * of_one);
   }
-  for (int k = 0; k < 20; ++k) ASSERT_TRUE(solver.couplingsChanged({}, 0.01));
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(solver.springsChanged({}, 0.01));
   EXPECT_GT(solver.extraBlocks(), 0);  // what bounces comes back
-  for (int k = 0; k < 40; ++k) ASSERT_TRUE(solver.couplingsChanged({}, 0.01));
+  for (int k = 0; k < 40; ++k) ASSERT_TRUE(solver.springsChanged({}, 0.01));
   EXPECT_EQ(solver.extraBlocks(), 0);
 }
 
 // Each solve is followed by a question, until the coupler is content.
-TEST(Coupling, IsUpdatedAfterEachSolve) {
+TEST(Spring, IsUpdatedAfterEachSolve) {
   ThrownPieces rig(Method::DIRECT);
   const auto springs = randomSprings(rig, 1e4);
   std::vector<Vec3> v_last;
   int calls = 0;
-  GivenSprings given([&](const std::vector<Vec3>& v_end, std::vector<Coupling>* list) {
+  GivenSprings given([&](const std::vector<Vec3>& v_end, std::vector<Spring>* list) {
     list->assign(springs.begin(), springs.begin() + 10 * std::min(calls, 3));
     v_last = v_end;
     return ++calls < 4;
