@@ -2,6 +2,13 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+#include "incision/body/quantities.h"
 
 namespace incision {
 
@@ -89,27 +96,51 @@ std::string toHex(std::uint64_t hash) {
   return digits;
 }
 
-void fillState(const DeformableBody& body, BodyState& state) {
-  state.step = body.steps();
-  state.time = body.time();
-  state.state_hash = toHex(body.stateHash());
+namespace {
 
-  const BodyCounts counts = body.counts();
-  state.nodes = counts.nodes;
-  state.elements = counts.elements;
-  state.crack_elements = counts.crack_elements;
-  state.parts = counts.parts;
-  state.copies = counts.copies;
-  state.dofs = counts.dofs;
-  state.cracks = counts.cracks;
-  state.pieces = counts.pieces;
+template <typename Field, typename Value>
+void assign(const Value& value, Field* field) {
+  if constexpr (std::is_arithmetic_v<Field> && std::is_arithmetic_v<Value>)
+    *field = static_cast<Field>(value);
+  else if constexpr (!std::is_arithmetic_v<Field> && !std::is_arithmetic_v<Value>)
+    *field = toVector3(value);
+  else
+    throw std::logic_error("a quantity has another type than its field of the state");
+}
 
-  const BodyMotion motion = body.motion();
-  state.mass = motion.mass;
-  state.momentum = toVector3(motion.momentum);
-  state.kinetic_energy = motion.kinetic_energy;
-  state.elastic_energy = motion.elastic_energy;
-  state.max_displacement = motion.max_displacement;
+using Setter = std::function<void(const Quantity&, BodyState*)>;
+
+template <typename Field>
+Setter into(Field BodyState::*field) {
+  return [field](const Quantity& quantity, BodyState* state) {
+    std::visit([&](const auto& value) { assign(value, &(state->*field)); }, quantity.value);
+  };
+}
+
+/// Where each quantity goes.
+const std::map<std::string, Setter> FIELDS = {{"nodes", into(&BodyState::nodes)},
+                                              {"elements", into(&BodyState::elements)},
+                                              {"crack_elements", into(&BodyState::crack_elements)},
+                                              {"parts", into(&BodyState::parts)},
+                                              {"copies", into(&BodyState::copies)},
+                                              {"dofs", into(&BodyState::dofs)},
+                                              {"cracks", into(&BodyState::cracks)},
+                                              {"pieces", into(&BodyState::pieces)},
+                                              {"mass", into(&BodyState::mass)},
+                                              {"momentum", into(&BodyState::momentum)},
+                                              {"kinetic_energy", into(&BodyState::kinetic_energy)},
+                                              {"elastic_energy", into(&BodyState::elastic_energy)},
+                                              {"max_displacement", into(&BodyState::max_displacement)},
+                                              {"iterations", into(&BodyState::iterations)},
+                                              {"residual", into(&BodyState::residual)}};
+
+}  // namespace
+
+void fillState(const DeformableBody& body, const StepResult& last_step, BodyState* state) {
+  state->step = body.steps();
+  state->time = body.time();
+  state->state_hash = toHex(body.stateHash());
+  for (const Quantity& quantity : quantitiesOf(body, last_step)) FIELDS.at(quantity.name)(quantity, state);
 }
 
 }  // namespace incision

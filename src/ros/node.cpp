@@ -201,12 +201,10 @@ void IncisionNode::publishState() {
   BodyState state;
   state.header.stamp = ros::Time::now();
   state.header.frame_id = settings_.scene.body.frame;
-  fillState(body_, state);
+  fillState(body_, last_step_, &state);
   state.paused = paused_;
   state.error = error_;
   state.step_ms = last_step_.step_ms;
-  state.iterations = last_step_.iterations;
-  state.residual = last_step_.residual;
   state.contacts = last_step_.contact.count;
   state.deepest_contact = last_step_.contact.deepest;
   state.real_time_factor = real_time_factor_.value();

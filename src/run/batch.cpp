@@ -75,9 +75,9 @@ struct Outputs {
 };
 
 // Opened before the run, so that hours of it are not lost to a misspelt folder.
-Outputs openOutputs(const BatchOptions& options) {
+Outputs openOutputs(const BatchOptions& options, const DeformableBody& body) {
   Outputs outputs;
-  if (!options.record.empty()) outputs.record.emplace(options.record);
+  if (!options.record.empty()) outputs.record.emplace(options.record, body);
   if (!options.positions.empty()) outputs.positions = openOutput(options.positions);
   if (!options.snapshot.empty()) outputs.snapshot = openOutput(options.snapshot);
   return outputs;
@@ -136,7 +136,7 @@ bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outpu
 BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& err) {
   const Scene scene = loadScene(options.scene, options.overrides);
   DeformableBody body(scene, loadMesh(scene), {loadDescription(scene), loadObstacleDescription(scene)});
-  Outputs outputs = openOutputs(options);
+  Outputs outputs = openOutputs(options, body);
   StepStatistics statistics;
   const bool stepped = takeSteps(options, body, outputs, statistics, err);
   const bool written = writeOutputs(options, body, outputs, err);

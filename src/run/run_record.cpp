@@ -1,24 +1,39 @@
 #include "incision/run/run_record.h"
 
+#include "incision/body/quantities.h"
 #include "incision/run/output_file.h"
 
 namespace incision {
+namespace {
 
-RunRecord::RunRecord(const std::string& path) : file_(openOutput(path)) {
-  file_ << "step,time,crack_elements,parts,copies,cracks,pieces,momentum_x,momentum_y,momentum_z,kinetic_energy,"
-           "elastic_energy,max_displacement,iterations,residual,step_ms\n"
-        << std::flush;
+constexpr const char* AXES[] = {"_x", "_y", "_z"};
+
+/// Calls f(column, value) for each number of the quantities that go into the record.
+template <typename Function>
+void forEachColumn(const std::vector<Quantity>& quantities, const Function& f) {
+  for (const Quantity& quantity : quantities) {
+    if (!quantity.in_record) continue;
+    if (const Vec3* vector = std::get_if<Vec3>(&quantity.value))
+      for (int i = 0; i < 3; ++i) f(quantity.name + AXES[i], (*vector)[i]);
+    else if (const double* number = std::get_if<double>(&quantity.value))
+      f(quantity.name, *number);
+    else
+      f(quantity.name, std::get<std::int64_t>(quantity.value));
+  }
+}
+
+}  // namespace
+
+RunRecord::RunRecord(const std::string& path, const DeformableBody& body) : file_(openOutput(path)) {
+  file_ << "step,time,";
+  forEachColumn(quantitiesOf(body, StepResult()), [&](const std::string& column, auto) { file_ << column << ','; });
+  file_ << "step_ms\n" << std::flush;
 }
 
 void RunRecord::write(const DeformableBody& body, const StepResult& step) {
-  const BodyCounts counts = body.counts();
-  const BodyMotion motion = body.motion();
-  file_ << body.steps() << ',' << body.time() << ',' << counts.crack_elements << ',' << counts.parts << ','
-        << counts.copies << ',' << counts.cracks << ',' << counts.pieces << ',' << motion.momentum.x() << ','
-        << motion.momentum.y() << ',' << motion.momentum.z() << ',' << motion.kinetic_energy << ','
-        << motion.elastic_energy << ',' << motion.max_displacement << ',' << step.iterations << ',' << step.residual
-        << ',' << step.step_ms << '\n'
-        << std::flush;
+  file_ << body.steps() << ',' << body.time() << ',';
+  forEachColumn(quantitiesOf(body, step), [&](const std::string&, auto value) { file_ << value << ','; });
+  file_ << step.step_ms << '\n' << std::flush;
 }
 
 }  // namespace incision

@@ -7,11 +7,17 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "incision/body/quantities.h"
+
 namespace incision {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json toJson(std::int64_t number) { return number; }
+Json toJson(double number) { return number; }
+Json toJson(const Vec3& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); }
 
 double peakMemory() {
   rusage usage{};
@@ -19,7 +25,7 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
 }
 
-// As text: JSON readers keep only 53 bits of a number.
+/// As text: JSON readers keep only 53 bits of a number.
 std::string hexadecimal(std::uint64_t value) {
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
@@ -36,9 +42,9 @@ void StepStatistics::add(const StepResult& step) {
   sum_.assembly += step.phase_ms.assembly;
   sum_.solve += step.phase_ms.solve;
   sum_.update += step.phase_ms.update;
-  contact_ = step.contact;
-  iterations_ = step.iterations;
-  residual_ = step.residual;
+  last_.contact = step.contact;
+  last_.iterations = step.iterations;
+  last_.residual = step.residual;
 }
 
 double StepStatistics::quantile(double share) const {
@@ -55,33 +61,18 @@ PhaseTimes StepStatistics::meanPhases() const {
 }
 
 std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics) {
-  const BodyCounts counts = body.counts();
-  const BodyMotion motion = body.motion();
   const PhaseTimes phases = statistics.meanPhases();
   Json line;
   line["steps"] = body.steps();
   line["time"] = body.time();
-  line["nodes"] = counts.nodes;
-  line["elements"] = counts.elements;
-  line["crack_elements"] = counts.crack_elements;
-  line["parts"] = counts.parts;
-  line["copies"] = counts.copies;
-  line["dofs"] = counts.dofs;
-  line["cracks"] = counts.cracks;
-  line["pieces"] = counts.pieces;
+  for (const Quantity& quantity : quantitiesOf(body, statistics.last()))
+    line[quantity.name] = std::visit([](const auto& value) { return toJson(value); }, quantity.value);
   line["piece_volumes"] = body.pieceVolumes();
-  line["mass"] = motion.mass;
-  line["momentum"] = {motion.momentum.x(), motion.momentum.y(), motion.momentum.z()};
-  line["kinetic_energy"] = motion.kinetic_energy;
-  line["elastic_energy"] = motion.elastic_energy;
-  line["max_displacement"] = motion.max_displacement;
-  line["iterations"] = statistics.iterations();
-  line["residual"] = statistics.residual();
   line["step_ms"] = {
       {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.quantile(1)}};
   line["phase_ms"] = {{"cut", phases.cut},           {"fracture", phases.fracture}, {"contact", phases.contact},
                       {"assembly", phases.assembly}, {"solve", phases.solve},       {"update", phases.update}};
-  line["contacts"] = {{"count", statistics.contact().count}, {"deepest", statistics.contact().deepest}};
+  line["contacts"] = {{"count", statistics.last().contact.count}, {"deepest", statistics.last().contact.deepest}};
   line["peak_rss_mb"] = peakMemory();
   line["state_hash"] = hexadecimal(body.stateHash());
   return line.dump();

@@ -39,6 +39,6 @@ CrackEvent toEvent(const CrackResult& result);
 std::string toHex(std::uint64_t hash);
 
 /// Fills the sizes, the motion, step, time and hash; the node fills in the rest.
-void fillState(const DeformableBody& body, BodyState& state);
+void fillState(const DeformableBody& body, const StepResult& last_step, BodyState* state);
 
 }  // namespace incision

@@ -11,7 +11,7 @@ namespace incision {
 class RunRecord {
  public:
   /// Throws InputError when the file cannot be created.
-  explicit RunRecord(const std::string& path);
+  RunRecord(const std::string& path, const DeformableBody& body);
 
   /// Adds the row of the step just taken.
   void write(const DeformableBody& body, const StepResult& step);

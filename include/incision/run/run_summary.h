@@ -16,17 +16,13 @@ class StepStatistics {
   double quantile(double share) const;
   /// Mean over the steps; they add up to the mean step but for what lies between the phases. 0 without steps.
   PhaseTimes meanPhases() const;
-  /// The last step's linear solve; 0 without steps.
-  int iterations() const { return iterations_; }
-  const ContactReport& contact() const { return contact_; }
-  double residual() const { return residual_; }
+  /// Of the last step, its contacts, iterations and residual; all 0 without steps.
+  const StepResult& last() const { return last_; }
 
  private:
   std::vector<double> step_ms_;
   PhaseTimes sum_;
-  ContactReport contact_;
-  int iterations_ = 0;
-  double residual_ = 0;
+  StepResult last_;
 };
 
 /// One line of JSON on the body as it is now and on the run so far; all numbers read back as the same doubles.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "incision/body/deformable_body.h"
+
+namespace incision {
+
+/// A number of a body's report, or a vector.
+struct Quantity {
+  std::string name;
+  std::variant<std::int64_t, double, Vec3> value;
+  bool in_record = true;  ///< it varies from step to step, and no other tells it
+};
+
+/// All there are, after the step taken last: the one list from which the run's summary, its record and the node's state
+/// take their numbers. A new number is an entry here, and for the state a field of that name.
+std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult& last_step);
+
+}  // namespace incision
