@@ -20,7 +20,7 @@ Vec3 areaVector(const std::vector<Vec3>& x, const std::array<int, 3>& triangle) 
 /// Points that are closer at rest than this, in elements, are at one place.
 constexpr double SAME_PLACE = 1e-6;
 
-/// The weight of the copies that both vertices hold.
+/// The weight of the copies that both vertices have.
 double sharedWeight(const SurfaceVertex& a, const SurfaceVertex& b) {
   double shared = 0;
   for (int i = 0; i < 4; ++i)

@@ -56,7 +56,7 @@ Vec3 normalised(const Vec3& a) {
 }
 
 /// A point and its foot that share all weights but this much move as one: so near the end of a slit, or where the
-/// surface meets itself at an edge, the material holds them together.
+/// surface meets itself at an edge, the material keeps them together.
 constexpr double ONE_POINT = 0.05;
 
 bool isOnePoint(const Spring& contact) {

@@ -14,7 +14,7 @@ constexpr double ROUNDING = 1e-6;
 constexpr double LEAST_SIDE = 0.5;
 
 /// Least share of its weights that a vertex of a slit must have for itself to be pushed aside: with less the material
-/// at the slit's end holds its two faces together, and copies would have to go ten times as far as the vertex.
+/// at the slit's end keeps its two faces together, and copies would have to go ten times as far as the vertex.
 constexpr double LEAST_OWN = 0.1;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }

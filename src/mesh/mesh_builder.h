@@ -12,7 +12,7 @@
 
 namespace incision {
 
-/// Puts together a mesh from the nodes and elements of a file, in its order, and holds each against what a mesh must
+/// Puts together a mesh from the nodes and elements of a file, in its order, and checks each against what a mesh must
 /// be. Errors name the reader's current line, or that of the element in question.
 class MeshBuilder {
  public:

@@ -29,7 +29,7 @@ inline std::string urdfOf(const std::string& shape, const std::string& xyz = "0 
          shape + "</geometry></collision></link></robot>";
 }
 
-/// The same scene with obstacles beside or instead of the ground.
+/// A body of the scene, with obstacles beside or instead of the ground.
 inline DeformableBody bodyAmong(Scene scene, const std::string& urdf) {
   scene.contact->obstacles = "room.urdf";
   return DeformableBody(scene, loadMesh(scene), {"", urdf});

@@ -10,7 +10,7 @@ namespace incision {
 /// itself gives way by a fifth. More costs iterations, as the root of it.
 inline constexpr double CONTACT_STIFFNESS = 20;
 
-/// The same against obstacles, where it costs nothing.
+/// Against obstacles the contact is so much stiffer than the layer of elements, as it costs nothing there.
 inline constexpr double OBSTACLE_STIFFNESS = 200;
 
 /// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.

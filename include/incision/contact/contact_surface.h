@@ -27,7 +27,7 @@ struct ContactSurface {
   std::vector<int> around;        ///< triangles
   std::vector<int> piece;         ///< of each triangle
   std::vector<int> vertex_piece;  ///< of each vertex
-  /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place holds: what is
+  /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place has: what is
   /// left to open of a slit near its end. 1 where there is no other.
   std::vector<double> own;
   double mean_size = 0;      ///< of the vertices [m]
@@ -37,7 +37,7 @@ struct ContactSurface {
 /// `surface` must outlive the result; `piece` of each copy.
 ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece);
 
-/// Adds `sign` times the position of a vertex to what a spring holds.
+/// Adds `sign` times the position of a vertex to what a spring acts on.
 void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring);
 
 }  // namespace incision

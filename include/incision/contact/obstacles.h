@@ -28,7 +28,7 @@ struct Obstacles {
   std::vector<Obstacle> shapes;
 };
 
-/// Most collision shapes of a description. Each is held against the whole body in each step, and a robot in a
+/// Most collision shapes of a description. Each is compared with the whole body in each step, and a robot in a
 /// furnished room has a tenth of it.
 inline constexpr std::size_t MAX_OBSTACLES = 1000;
 

@@ -29,7 +29,17 @@ inline constexpr int MAX_PARTS_PER_ELEMENT = 4096;
 /// A cut that could leave more copies is refused: some 100 GB for the solver.
 inline constexpr int MAX_COPIES = 10'000'000;
 
-/// The material of one element on one side of all its cracks.
+/// The material of one element on one side of all its cracks. Each part sees the whole element, through four copies of
+/// its own choice. Of an element that a crack has cut through, in the plane:
+///
+///        2                  2'
+///       / \                . .         The upper part contains node 2. It uses the own copy of 2, and extended
+///      /   \ upper        .   .        copies 0' and 1' of the nodes that lie beyond the crack.
+///     ╞═════╡            ╞═════╡       The lower part contains nodes 0 and 1. It uses their own copies, and an
+///    .       .          /       \      extended copy 2'.
+///   0' . . . 1'        0─────────1
+///                          lower
+///
 struct Part {
   int element;
   std::array<int, 4> copies;  ///< c(p, I): the copy of each of the element's nodes that the part uses

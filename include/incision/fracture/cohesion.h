@@ -20,10 +20,10 @@ struct Bond {
 /// What of the cohesion outlasts a step.
 struct CohesionMemory {
   std::vector<Bond> bonds;  ///< in the order in which they opened
-  double spent = 0;         ///< in those that hold no more [J]
+  double spent = 0;         ///< in those that are gone [J]
 };
 
-/// What still holds together the two faces of a crack that opens. The traction follows the opening y, against it and
+/// What still bonds the two faces of a crack that opens. The traction follows the opening y, against it and
 /// by its size δ = |y| alone: it rises steeply to the tensile strength σ_t, falls linearly to nothing at δ_c = 2G/σ_t,
 /// and on closing goes back straight to zero. So opening a square metre takes the fracture energy G, on any mesh. Faces
 /// that would cross are pushed apart as steeply as they were bonded, as long as they are bonded at all.

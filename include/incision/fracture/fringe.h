@@ -36,6 +36,13 @@ struct GrowingCracks {
 };
 
 /// A face at which a crack ends inside the material: it splits what lies behind and meets what lies ahead.
+///
+///    ┌───────┬───────┐
+///    │ behind│ ahead │     ═ the crack, which splits the element behind;
+///    ╞═══════╡       │     ╡ the face with the fringe, which the crack reaches
+///    │       │       │       and at which it ends
+///    └───────┴───────┘
+///
 struct Fringe {
   int crack;          ///< as the mesh numbers it
   int behind, ahead;  ///< parts that hang together across the face; `behind` is on the crack's positive side

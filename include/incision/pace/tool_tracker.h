@@ -44,7 +44,7 @@ class ToolTracker {
   /// There is no pose yet.
   void restart();
 
-  /// The newest pose is older than `tool.timeout`: the tool holds still where it is, the rest of its way is dropped. It
+  /// The newest pose is older than `tool.timeout`: the tool stays where it is, the rest of its way is dropped. It
   /// goes on with the next pose, in the same stroke unless that is a jump.
   bool stale() const { return stale_; }
 

@@ -52,7 +52,7 @@ class Solid {
   /// normal.
   virtual double reachAlong(const Vec3& n) const = 0;
 
-  /// Radius of the smallest ball round the origin that holds the solid [m]. Infinite for a half space.
+  /// Radius of the smallest ball round the origin that encloses the solid [m]. Infinite for a half space.
   virtual double reach() const = 0;
 
   /// The edge with which a blade of this form cuts, if it has one.

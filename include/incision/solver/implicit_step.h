@@ -10,7 +10,7 @@
 
 namespace incision {
 
-/// Forces from outside and what is held.
+/// Forces from outside and clamps.
 struct BoundaryConditions {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   std::vector<Hold> holds;
@@ -34,7 +34,7 @@ class ImplicitStep {
   /// What outlasts a step, but for the motion.
   struct Memory {
     Basis basis;             ///< of the first guess: the last Δv and its backward differences, by copy
-    std::vector<int> group;  ///< of each copy: pieces that couplers have held together since the mesh changed
+    std::vector<int> group;  ///< of each copy: pieces between which springs have been since the mesh changed
     int fallback_steps = 0;  ///< how many more steps the fallback takes
   };
   const Memory& keep() const { return memory_; }
@@ -59,7 +59,7 @@ class ImplicitStep {
   /// What the body did to the other end of each coupler in the last step, by just the impulses that changed the body's
   /// momentum.
   const std::vector<Wrench>& felt() const { return felt_; }
-  /// The hold of each copy, or −1.
+  /// The clamp of each copy, or −1: it is free.
   const std::vector<int>& held() const { return held_; }
   /// The piece of each copy, and how many there are.
   const std::vector<int>& pieceOf() const { return piece_; }
@@ -106,7 +106,7 @@ class ImplicitStep {
   std::vector<Vec3> search_start_, search_direction_, search_residual_;  // of the line search, in terms of Δv
   std::vector<Wrench> felt_, felt_at_start_;                             // at Δv, and where the line search starts
   const std::vector<Spring>* springs_ = nullptr;                         // that act now; null: none
-  bool had_springs_ = false;  // the matrix that the solver knows holds springs
+  bool had_springs_ = false;  // the matrix that the solver knows has springs in it
   SolveStats stats_;
   StepTimes times_;
 };

@@ -9,7 +9,7 @@
 
 namespace incision {
 
-/// A linear spring that holds copies against each other or against something outside. With y = Σ_i weights[i] x_i the
+/// A linear spring between copies, or between copies and something outside. With y = Σ_i weights[i] x_i the
 /// force F − K Δt ẏ acts on y at the end of a step, ẏ being of the velocities there; each copy feels weights[i] of it.
 struct Spring {
   std::array<int, 8> copies;  ///< the first `count` of them, each once

@@ -16,7 +16,7 @@ struct SurfaceVertex {
 
 /// The closed, outward-oriented surface of all pieces: every edge of a triangle occurs as often as its reverse, and no
 /// two pieces share a vertex. That is once each, but where a crack in the midst of a piece opens on both sides of an
-/// edge that itself holds together, as on a strip one element wide: there four triangles meet.
+/// edge that itself is whole, as on a strip one element wide: there four triangles meet.
 struct Surface {
   std::vector<SurfaceVertex> vertices;        ///< x_surface = W x, one row of W each
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
@@ -24,7 +24,8 @@ struct Surface {
   std::vector<bool> cut_face;                 ///< of each triangle: made by a crack, not the body's skin
 };
 
-/// What bounds the parts and is not held together with another part across a face; cut faces appear once for each side.
+/// What bounds the parts and does not hang together with another part across a face; cut faces appear once for each
+/// side.
 Surface buildSurface(const CutMesh& mesh);
 
 /// W x for the copies' positions `x` [m]; the second form takes any vectors at the copies, up to `threads` threads, and

@@ -19,7 +19,7 @@ struct ToolSettings {
   /// A pose that moves the link's origin or an end of the edge farther than this from where the pose before had it [m]
   /// begins a new stroke: more than a hand does between two poses, and less than an organ's size.
   double max_step = 0.1;
-  /// A pose older than this by time of receipt [s] is stale, and the tool holds still: some poses of any stream.
+  /// A pose older than this by time of receipt [s] is stale, and the tool stays where it is: some poses of any stream.
   double timeout = 0.5;
   double cutting_force = 0;  ///< [N/m] of edge in the tissue: the fracture energy [J/m²] of what it cuts
   double friction = 0.3;     ///< Coulomb's coefficient, of the edge along itself and of the link's shapes

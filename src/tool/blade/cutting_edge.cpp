@@ -7,8 +7,8 @@
 namespace incision {
 namespace {
 
-/// The edge holds the tissue by k = EDGE_STIFFNESS E a metre: it slips by F_c/k before it cuts, a twentieth of the
-/// length F_c/E by which the tissue itself gives way. More costs iterations.
+/// The edge carries the tissue along by k = EDGE_STIFFNESS E a metre: it slips by F_c/k before it cuts, a twentieth of
+/// the length F_c/E by which the tissue itself gives way. More costs iterations.
 constexpr double EDGE_STIFFNESS = 20;
 
 /// Stations an element: what the force is off where the edge comes out of the tissue is half a station.
@@ -34,7 +34,7 @@ constexpr double TURNED = 0.25;
 Vec3 atStation(const Edge& edge, double share) { return edge[0] + share * (edge[1] - edge[0]); }
 
 /// Whether a point of the element lies in the part.
-bool holds(const Polytope& polytope, const Barycentric& point) {
+bool encloses(const Polytope& polytope, const Barycentric& point) {
   return std::all_of(polytope.facets.begin(), polytope.facets.end(), [&](const Facet& facet) {
     const auto in_affine = [](const Barycentric& b) -> Vec3 { return b.tail<3>(); };
     const Vec3 out = vectorArea(polytope, facet, in_affine);
@@ -146,7 +146,7 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
     const Barycentric b = frame.toElement(point);
     if (b.minCoeff() < -OUTSIDE) continue;
     const Ties::Ahead ahead = ties_.ahead(part.element, b);
-    if (!ahead.section && !holds(mesh.polytope(p), b)) continue;
+    if (!ahead.section && !encloses(mesh.polytope(p), b)) continue;
     Found found;
     found.element = part.element;
     const auto share = [&](int side, double weight) {

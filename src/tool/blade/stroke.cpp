@@ -17,8 +17,8 @@ constexpr std::size_t MAX_TRIANGLES = 128;
 /// itself just misses.
 constexpr double MARGIN = 0.5;
 
-/// The same for what frees an element that is cut: on a path that curves within two elements the blade is beside the
-/// far end of the crack in one when it is well into the next.
+/// How far from a cut element, in its own coordinates, a sweep still frees it: on a path that curves within two
+/// elements the blade is beside the far end of the crack in one when it is well into the next.
 constexpr double FREEING_MARGIN = 1;
 
 /// How far the edge must move through the tissue, in edges of the mesh, to be followed: tissue that trembles round a

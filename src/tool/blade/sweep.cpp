@@ -11,7 +11,7 @@ namespace {
 /// not fall between.
 constexpr double RIM = 1e-9;
 
-/// Points that stand for a polygon: each is a hundredth of what holds it together.
+/// Points that stand for a polygon: each is a hundredth of what ties it.
 constexpr int POINTS = 96;
 
 /// Of the sequence of Roberts (2018), the two-dimensional golden ratio: frac(k g), frac(k g²) fill the square evenly.

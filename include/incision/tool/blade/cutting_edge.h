@@ -18,7 +18,7 @@ struct StationMemory {
   Vec3 forward = Vec3::Zero();  ///< where it has cut last, unit; zero: nowhere yet
 };
 
-/// What a blade's edge and the tissue that it has not cut yet do to each other. The edge is held against the tissue at
+/// What a blade's edge and the tissue that it has not cut yet do to each other. The edge meets the tissue at
 /// its stations, points spread evenly over it. At each the tissue is carried along by a spring with the slip s, the way
 /// of the edge through the material less what has been cut, until the force across the edge reaches F_c ΔL, with the
 /// cutting force F_c and the station's share ΔL of the edge: then the blade advances against just this force, so that
