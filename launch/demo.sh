@@ -33,7 +33,7 @@ while (($#)); do
 done
 [[ ${DISPLAY:-} ]] || headless=1
 
-install_packages run
+install_packages run rviz
 [[ -f $BUILD/.configured_with ]] || configure "$BUILD" -DCATKIN_ENABLE_TESTING=OFF
 compile "$BUILD" all
 [[ $build_only ]] && exit

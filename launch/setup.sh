@@ -7,11 +7,11 @@ fail() {
   exit 1
 }
 
-# Installs the packages of config/packages.txt that are missing, down to the last section of a kind: run, test, benchmark.
+# install_packages SECTION...: installs what is missing of these sections of config/packages.txt.
 install_packages() {
   local wanted missing=() package sudo=()
-  wanted=$(awk -v kind="$1:" '/^# [a-z]+:/ { if (reached && $2 != kind) exit; reached = $2 == kind } /^[a-z]/' \
-    "$ROOT/config/packages.txt")
+  wanted=$(awk -v sections=" $* " '/^# [a-z]+:/ { chosen = index(sections, " " substr($2, 1, length($2) - 1) " ") }
+    chosen && /^[a-z]/' "$ROOT/config/packages.txt")
   for package in $wanted; do
     [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
   done
@@ -37,8 +37,7 @@ configure() {
   shift
   newer=$(find "$ROOT/CMakeLists.txt" "$ROOT/config/cmake" -newer "$stamp" 2>/dev/null || echo all)
   [[ -z $newer && -f $folder/CMakeCache.txt && $(cat "$stamp") == "$*" ]] && return
-  cmake -S "$ROOT" -B "$folder" "$@"
-  echo "$*" >"$stamp"
+  cmake -S "$ROOT" -B "$folder" "$@" && echo "$*" >"$stamp"
 }
 
 # compile FOLDER TARGET...: make finds out by itself what is out of date.

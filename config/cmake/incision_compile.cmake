@@ -3,7 +3,11 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
+# A fuzzer sees the counters of what is linked into it, and none of a shared library's.
 set(BUILD_SHARED_LIBS ON)
+if(INCISION_FUZZ)
+  set(BUILD_SHARED_LIBS OFF)
+endif()
 
 add_library(incision_flags INTERFACE)
 target_compile_features(incision_flags INTERFACE cxx_std_17)
@@ -18,8 +22,8 @@ if(INCISION_NATIVE)
   add_compile_options(-march=native)
 endif()
 if(INCISION_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=address,undefined)
+  add_compile_options(-fsanitize=${INCISION_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${INCISION_SANITIZE})
 endif()
 if(INCISION_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
@@ -32,3 +36,10 @@ function(incision_compile target)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:incision_flags>)
 endfunction()
+
+# Headers of others that nearly every file of ours includes: read once, they save a third of the time it takes to compile.
+# ccache keeps no results of what is compiled so.
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+set(INCISION_COMMON_HEADERS <Eigen/Dense> <algorithm> <functional> <memory> <string> <unordered_map> <vector>)

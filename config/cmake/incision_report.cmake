@@ -22,9 +22,9 @@ endfunction()
 
 function(incision_report_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "SETS_UP" "COMMAND;NEEDS")
-  add_test(NAME full.report.${name} COMMAND ${test_COMMAND} WORKING_DIRECTORY "${report_sources}")
-  set_tests_properties(full.report.${name} PROPERTIES
-    LABELS "full;report" TIMEOUT 900 FIXTURES_SETUP "${test_SETS_UP}" FIXTURES_REQUIRED "${test_NEEDS}"
+  add_test(NAME report.${name} COMMAND ${test_COMMAND} WORKING_DIRECTORY "${report_sources}")
+  set_tests_properties(report.${name} PROPERTIES
+    LABELS report TIMEOUT 900 FIXTURES_SETUP "${test_SETS_UP}" FIXTURES_REQUIRED "${test_NEEDS}"
     ENVIRONMENT "INCISION_BATCH=$<TARGET_FILE:incision_batch>;INCISION_PROGRAMS=${report_folder};INCISION_REPORT=${report_folder}/quick")
 endfunction()
 

@@ -1,12 +1,20 @@
-# Tests, all run by ctest and labelled `quick` or `full`; the target `tests` builds them.
-# - test/<stage>/*_test.cpp: GoogleTest, one program a stage. Full are the tests whose suite or name starts with
-#   "Full" and all of *_full_test.cpp. *_alloc_test.cpp replace malloc, so they are a program apart.
+# Tests, all run by ctest. The target `tests` builds the quick ones, `full_tests` the slow ones of GoogleTest.
+# Each has one label, which its name begins with:
+# - quick: what test/run.sh runs by itself, some minutes on two cores. A test that takes 20 s or more is not quick.
+# - full: the slow ones. Of GoogleTest these are the tests whose suite or name starts with "Full" and all of
+#   *_full_test.cpp; of rostest *_full.test.
+# - realtime: the verdict depends on how busy the machine is, so these run one at a time: *_realtime.test.
+# - report: the report's claims, see incision_report.
+# - fuzz: with INCISION_FUZZ, see incision_fuzzers.
+# - threads: with INCISION_SANITIZE=thread, see incision_threads.
+#
+# Where they lie:
+# - test/<stage>/*_test.cpp: GoogleTest, one program a stage. *_alloc_test.cpp replace malloc, so they are a program
+#   apart. Some stages run on other arithmetic too, see incision_on_processors.
 # - test/body/instruction_count.py: instructions a step, where valgrind is installed.
-# - test/ros/*.test: rostest. Full are *_full.test.
+# - test/ros/*.test: rostest.
 # - test/install/: a program against the installed package.
 # - the sources: what includes what, their format, catkin_lint.
-# - test/report/<section>/: the report's claims, see incision_report.
-# - test/fuzz/<name>_fuzzer.cpp: libFuzzer, with INCISION_FUZZ; starts from the seeds in test/fuzz/<name>_corpus/.
 if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
   return()
 endif()
@@ -14,6 +22,7 @@ enable_testing()
 if(NOT TARGET tests)
   add_custom_target(tests)
 endif()
+add_custom_target(full_tests)
 
 if(NOT TARGET GTest::gtest_main)
   find_package(GTest REQUIRED)
@@ -26,17 +35,26 @@ function(incision_discover target label filter)
     PROPERTIES LABELS ${label} TIMEOUT 900)
 endfunction()
 
-# One program from the given files, linked with a library of ours.
-function(incision_test_program name library)
+# One program from the given files, linked with a library of ours; the target `group` builds it.
+function(incision_test_program name library group)
   add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
   incision_compile(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")
   target_link_libraries(${name} PRIVATE ${library} CHOLMOD::CHOLMOD nlohmann_json::nlohmann_json GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     INCISION_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    $<$<BOOL:${INCISION_SANITIZE}>:INCISION_SANITIZE>
     $<$<TARGET_EXISTS:incision_v3>:INCISION_V3>)
-  add_dependencies(tests ${name})
+  if(INCISION_SANITIZE)
+    target_compile_definitions(${name} PRIVATE INCISION_SANITIZE)
+  endif()
+  # What is to be quick is the core. Tests themselves compile in two thirds of the time so.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(name STREQUAL "incision_base_tests")
+    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> ${INCISION_COMMON_HEADERS})
+  else()
+    target_precompile_headers(${name} REUSE_FROM incision_base_tests)
+  endif()
+  add_dependencies(${group} ${name})
 endfunction()
 
 function(incision_stage_tests stage library)
@@ -45,16 +63,16 @@ function(incision_stage_tests stage library)
   file(GLOB alloc_files CONFIGURE_DEPENDS test/${stage}/*_alloc_test.cpp)
   list(REMOVE_ITEM files ${full_files} ${alloc_files})
   if(files)
-    incision_test_program(incision_${stage}_tests ${library} ${files})
+    incision_test_program(incision_${stage}_tests ${library} tests ${files})
     incision_discover(incision_${stage}_tests quick "-Full*:*.Full*")
     incision_discover(incision_${stage}_tests full "Full*:*.Full*")
   endif()
   if(full_files)
-    incision_test_program(incision_${stage}_full_tests ${library} ${full_files})
+    incision_test_program(incision_${stage}_full_tests ${library} full_tests ${full_files})
     incision_discover(incision_${stage}_full_tests full "*")
   endif()
   if(alloc_files)
-    incision_test_program(incision_${stage}_alloc_tests ${library} ${alloc_files})
+    incision_test_program(incision_${stage}_alloc_tests ${library} tests ${alloc_files})
     incision_discover(incision_${stage}_alloc_tests quick "*")
   endif()
 endfunction()
@@ -62,21 +80,12 @@ endfunction()
 foreach(stage IN LISTS STAGES)
   incision_stage_tests(${stage} incision)
 endforeach()
-
 if(INCISION_ROS)
   incision_stage_tests(ros incision_ros)
-  file(GLOB rostests CONFIGURE_DEPENDS test/ros/*.test)
-  foreach(file IN LISTS rostests)
-    get_filename_component(name ${file} NAME_WE)
-    set(label quick)
-    if(name MATCHES "_full$")
-      set(label full)
-    endif()
-    add_test(NAME ${label}.ros.${name} COMMAND "${CATKIN_DEVEL_PREFIX}/env.sh" rostest ${file})
-    set_tests_properties(${label}.ros.${name} PROPERTIES
-      LABELS ${label} RUN_SERIAL ON TIMEOUT 300
-      ENVIRONMENT "ROS_IP=127.0.0.1;ROS_HOME=${CMAKE_CURRENT_BINARY_DIR}/ros_home")
-  endforeach()
+  include(incision_rostests)
+endif()
+if(TARGET incision_v3)
+  include(incision_processors)
 endif()
 
 if(INCISION_ROS AND NOT INCISION_SANITIZE)
@@ -116,21 +125,8 @@ if(INCISION_ROS)
 endif()
 
 if(INCISION_FUZZ)
-  set(INCISION_FUZZ_SECONDS 20 CACHE STRING "How long ctest runs each fuzzer [s]")
-  file(GLOB fuzzers CONFIGURE_DEPENDS test/fuzz/*_fuzzer.cpp)
-  foreach(file IN LISTS fuzzers)
-    get_filename_component(program ${file} NAME_WE)
-    string(REGEX REPLACE "_fuzzer$" "" name ${program})
-    add_executable(${program} EXCLUDE_FROM_ALL ${file})
-    incision_compile(${program})
-    target_link_libraries(${program} PRIVATE incision)
-    target_link_options(${program} PRIVATE -fsanitize=fuzzer)
-    add_dependencies(tests ${program})
-    # What the fuzzer finds goes to the first folder, which is not in the source tree.
-    file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/corpus/${name}")
-    add_test(NAME quick.fuzz.${name}
-      COMMAND ${program} -max_total_time=${INCISION_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
-        corpus/${name} "${PROJECT_SOURCE_DIR}/test/fuzz/${name}_corpus")
-    set_tests_properties(quick.fuzz.${name} PROPERTIES LABELS quick TIMEOUT 300)
-  endforeach()
+  include(incision_fuzzers)
+endif()
+if(INCISION_SANITIZE STREQUAL "thread")
+  include(incision_threads)
 endif()

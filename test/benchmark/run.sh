@@ -21,7 +21,7 @@ for argument in "$@"; do
   esac
 done
 
-install_packages benchmark
+install_packages run test full benchmark
 configure "$folder" -DINCISION_BENCHMARK=ON -DINCISION_ROS=OFF
 compile "$folder" benchmarks
 

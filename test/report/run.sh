@@ -29,7 +29,7 @@ for argument in "$@"; do
 done
 [[ $publish && ${#quick[@]} -gt 0 ]] && { usage >&2 && exit 2; }
 
-install_packages test
+install_packages run test full
 configure "$BUILD" -DCATKIN_ENABLE_TESTING=ON "-DINCISION_WERROR=${INCISION_WERROR:-OFF}"
 compile "$BUILD" report
 export INCISION_BATCH="$BUILD/devel/lib/incision/incision_batch" INCISION_PROGRAMS="$BUILD/report"
