@@ -26,12 +26,12 @@ FacePolygon ownedFace(const CutMesh& mesh, int part, int face) {
 
 /// Whether a part owns area of a boundary face, or volume of an element, all of whose nodes move as one clamp:
 /// between clamps that move differently the material is not held.
-bool ownsClampedMaterial(const CutMesh& mesh, const std::vector<Hold>& holds, const std::vector<int>& held_nodes,
-                         int hold, int part) {
+bool ownsClampedMaterial(const CutMesh& mesh, const std::vector<Clamp>& clamps, const std::vector<int>& held_nodes,
+                         int clamp, int part) {
   const int e = mesh.parts()[part].element;
   const auto& element = mesh.mesh().elements[e];
   const auto clamped = [&](int node) {
-    return held_nodes[node] >= 0 && holds[held_nodes[node]].velocity == holds[hold].velocity;
+    return held_nodes[node] >= 0 && clamps[held_nodes[node]].velocity == clamps[clamp].velocity;
   };
   if (std::all_of(element.begin(), element.end(), clamped)) return true;
   for (int f = 0; f < 4; ++f)
@@ -43,24 +43,24 @@ bool ownsClampedMaterial(const CutMesh& mesh, const std::vector<Hold>& holds, co
 
 }  // namespace
 
-std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Hold>& holds) {
+std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Clamp>& clamps) {
   std::vector<int> held(mesh.nodes.size(), -1);
   for (std::size_t n = 0; n < held.size(); ++n)
-    for (std::size_t h = 0; h < holds.size() && held[n] < 0; ++h)
-      if (holds[h].box.contains(mesh.nodes[n])) held[n] = static_cast<int>(h);
+    for (std::size_t h = 0; h < clamps.size() && held[n] < 0; ++h)
+      if (clamps[h].box.contains(mesh.nodes[n])) held[n] = static_cast<int>(h);
   return held;
 }
 
-std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<Hold>& holds, const std::vector<int>& held_nodes) {
+std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<Clamp>& clamps, const std::vector<int>& held_nodes) {
   std::vector<int> held(mesh.numCopies(), -1);
   for (std::size_t n = 0; n < held_nodes.size(); ++n)
     if (held_nodes[n] >= 0 && mesh.ownCopy(static_cast<int>(n)) >= 0)
       held[mesh.ownCopy(static_cast<int>(n))] = held_nodes[n];
   for (std::size_t p = 0; p < mesh.parts().size(); ++p)
     for (int c : mesh.parts()[p].copies) {
-      const int hold = held_nodes[mesh.copyNode(c)];
-      if (hold >= 0 && held[c] < 0 && ownsClampedMaterial(mesh, holds, held_nodes, hold, static_cast<int>(p)))
-        held[c] = hold;
+      const int clamp = held_nodes[mesh.copyNode(c)];
+      if (clamp >= 0 && held[c] < 0 && ownsClampedMaterial(mesh, clamps, held_nodes, clamp, static_cast<int>(p)))
+        held[c] = clamp;
     }
   return held;
 }

@@ -4,12 +4,12 @@
 
 namespace incision {
 
-Hold parseHold(const YamlValue& value) {
+Clamp parseClamp(const YamlValue& value) {
   const YamlMap map = value.map({"box", "velocity"});
-  Hold hold;
-  hold.box = parseRestBox(map.at("box"));
-  hold.velocity = map.vector("velocity", hold.velocity);
-  return hold;
+  Clamp clamp;
+  clamp.box = parseRestBox(map.at("box"));
+  clamp.velocity = map.vector("velocity", clamp.velocity);
+  return clamp;
 }
 
 Load parseLoad(const YamlValue& value) {

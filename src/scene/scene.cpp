@@ -36,7 +36,7 @@ const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
       {"body", true, one(&Scene::body, parseBody)},
       {"gravity", false, one(&Scene::gravity, parseVector)},
-      {"boundary", false, each(&Scene::boundary, parseHold)},
+      {"boundary", false, each(&Scene::boundary, parseClamp)},
       {"loads", false, each(&Scene::loads, parseLoad)},
       {"solver", false, one(&Scene::solver, parseSolver)},
       {"cuts", false, each(&Scene::cuts, parseCut)},

@@ -40,14 +40,14 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass m
       make_solver_(std::move(make_solver)),
       assembly_(mesh, material, mass, pressure, warping, settings.threads),
       solver_(make_solver_(settings, warping)),
-      held_nodes_(heldNodes(mesh.mesh(), conditions.holds)) {}
+      held_nodes_(heldNodes(mesh.mesh(), conditions.clamps)) {}
 
 void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>& touched) {
   assembly_.topologyChanged(motion.x, touched);
   touched_.insert(touched_.end(), touched.begin(), touched.end());
   piece_ = mesh_.copyPieces(&pieces_);
   memory_.group = piece_;
-  held_ = heldCopies(mesh_, conditions_.holds, held_nodes_);
+  held_ = heldCopies(mesh_, conditions_.clamps, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
   dv_.resize(mesh_.numCopies(), Vec3::Zero());
   for (std::vector<Vec3>& differences : memory_.basis)
@@ -113,7 +113,7 @@ bool ImplicitStep::trySolve(double time, double time_step, const Motion& motion,
   externalForces(time + time_step);
   for (int c = 0; c < mesh_.numCopies(); ++c) {
     if (held_[c] >= 0)
-      dv_[c] = conditions_.holds[held_[c]].velocity - motion.v[c];
+      dv_[c] = conditions_.clamps[held_[c]].velocity - motion.v[c];
     else if (couplers)
       dv_[c] = memory_.basis[0][c];  // a guess, for which they find their springs
   }

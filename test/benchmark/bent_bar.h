@@ -31,7 +31,7 @@ struct Bar {
         conditions{Vec3(0, 0, -9.81), {{{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}}, {}},
         assembly(mesh, Material(), Mass::LUMPED, true, THREADS),
         piece(x.size(), 0) {
-    for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.holds[0].box.contains(X));
+    for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.clamps[0].box.contains(X));
     assembly.topologyChanged(x);
     assembly.rotate(x);
   }

@@ -93,7 +93,7 @@ TEST(UncutBar, SwingsAsInOtherPrograms) {
   scene.body.material.young_modulus = 1e6;
   scene.body.material.poisson_ratio = 0.45;
   scene.gravity = Vec3(0, 0, -9.81);
-  scene.boundary = {test::holdLeftEnd()};
+  scene.boundary = {test::clampLeftEnd()};
   DeformableBody body(scene, gridMesh(*scene.body.grid));
   test::run(&body, 200);
   const auto& nodes = body.mesh().mesh().nodes;

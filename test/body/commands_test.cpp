@@ -9,7 +9,7 @@
 namespace incision {
 namespace {
 
-using test::holdLeftEnd;
+using test::clampLeftEnd;
 using test::plane;
 using test::rectangle;
 using test::softBar;
@@ -20,7 +20,7 @@ Scene swinging(Method method, int threads, Mass mass = Mass::LUMPED) {
   Scene scene = softBar();
   scene.body.mass = mass;
   scene.gravity = Vec3(0, 1, -9.81);
-  scene.boundary = {holdLeftEnd()};
+  scene.boundary = {clampLeftEnd()};
   scene.solver.method = method;
   scene.solver.threads = threads;
   scene.cuts = test::crossingCuts(0.02);
@@ -164,7 +164,7 @@ TEST(Extremes, ABodyDrivenThroughItselfStaysFiniteAndCanBeCut) {
   for (Method method : {Method::DIRECT, Method::ITERATIVE}) {
     Scene scene = softBar();
     scene.solver.method = method;
-    scene.boundary = {holdLeftEnd(), {{Vec3(0.999, -1, -1), Vec3(2, 1, 1)}, Vec3(-20, 0, 0)}};
+    scene.boundary = {clampLeftEnd(), {{Vec3(0.999, -1, -1), Vec3(2, 1, 1)}, Vec3(-20, 0, 0)}};
     scene.cuts = {{0, plane(Vec3(0.51, 0, 0), Vec3(1, 0.1, 0.2))},
                   {0.05, plane(Vec3(0, 0.12, 0.12), Vec3(0, 1, 0.3))},
                   {0.08, plane(Vec3(-0.2, 0, 0), Vec3(1, 0.1, 0))}};
@@ -181,7 +181,7 @@ TEST(Extremes, TwentyPlanesThroughASmallMovingBodyStayFinite) {
     Scene scene = softBar();
     scene.body.grid->cells = {3, 2, 2};
     scene.gravity = Vec3(0, 0, -9.81);
-    scene.boundary = {holdLeftEnd()};
+    scene.boundary = {clampLeftEnd()};
     scene.solver.method = method;
     test::Random random(65);
     for (int k = 0; k < 20; ++k) scene.cuts.push_back({0.005 * k, random.plane(*scene.body.grid)});

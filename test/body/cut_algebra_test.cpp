@@ -33,7 +33,7 @@ class Separation : public ::testing::Test {
     // Enough mass for a block that nothing holds to have a definite system, and too little to matter: inertia adds
     // ρ L²/(E Δt²) = 3e-8 of the move.
     settings.material.density = 10;
-    settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}, {slab(2, LENGTH), Vec3(0, 0, MOVE)}};
+    settings.conditions.clamps = {{slab(2, 0), Vec3::Zero()}, {slab(2, LENGTH), Vec3(0, 0, MOVE)}};
     return settings;
   }
 

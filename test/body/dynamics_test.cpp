@@ -88,7 +88,7 @@ class Mode : public ::testing::Test {
   // `which`: of the modes in the order of their frequency.
   void swing(RigSettings settings, double phase_step, int which) {
     settings.warping = false;
-    settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+    settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
     const CutBlock probe(settings);
     copies_ = probe.freeCopies();
     const Eigen::MatrixXd K = systemMatrix(probe.step.assembly(), {0, 1}, copies_);
@@ -193,7 +193,7 @@ TEST_F(Mode, DampingRatesAreThoseOfMassAndStiffness) {
 double slowestMode(int n, double length, double height, const Material& material) {
   RigSettings settings;
   settings.material = material;
-  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   const int along = static_cast<int>(std::lround(length / height)) * n;
   const Rig rig(block({along, n, n}, Vec3(length, height, height)), settings);
   const std::vector<int> copies = rig.freeCopies();
@@ -315,7 +315,7 @@ TEST(FreeFlight, EnergyHardlyGrowsWarped) {
 
 TEST(Cantilever, SwingsAlikeWarpedAndNotWhereItMovesLittle) {
   RigSettings settings;
-  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   settings.conditions.loads = {{slab(0, 1), Vec3(0, 0, 0.1), 0}};
   Rig warped(block({10, 2, 2}, Vec3(1, 0.2, 0.2)), settings);
   settings.warping = false;

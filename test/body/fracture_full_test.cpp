@@ -87,8 +87,8 @@ std::vector<HelixPoint> twistedBarHelix(int across) {
   const auto left = [](const Vec3& X) { return X[0] < 1e-6; };
   const auto right = [](const Vec3& X) { return X[0] > LENGTH - 1e-6; };
   const auto twist = [](const Vec3& X) { return Vec3(0, -0.005 * X[2], 0.005 * X[1]); };
-  scene.boundary = holdEach(mesh, left, mesh, atRest);
-  for (const Hold& hold : holdEach(mesh, right, mesh, twist)) scene.boundary.push_back(hold);
+  scene.boundary = clampEach(mesh, left, mesh, atRest);
+  for (const Clamp& clamp : clampEach(mesh, right, mesh, twist)) scene.boundary.push_back(clamp);
   scene.fracture = tensile(1e3);
   DeformableBody body(scene, mesh);
   std::vector<HelixPoint> points;

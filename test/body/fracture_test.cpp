@@ -30,8 +30,8 @@ struct PulledBar {
     const auto left = [](const Vec3& X) { return X[0] < 1e-6; };
     const auto right = [](const Vec3& X) { return X[0] > 1 - 1e-6; };
     const auto pulled = [&](const Vec3&) -> Vec3 { return R * Vec3(0.002, 0, 0); };
-    scene.boundary = holdEach(straight, left, placed, atRest);
-    for (const Hold& hold : holdEach(straight, right, placed, pulled)) scene.boundary.push_back(hold);
+    scene.boundary = clampEach(straight, left, placed, atRest);
+    for (const Clamp& clamp : clampEach(straight, right, placed, pulled)) scene.boundary.push_back(clamp);
     mesh = placed;
   }
 
@@ -167,7 +167,7 @@ TEST(Fracture, CracksFromTwoOffsetNotchesBecomeOne) {
 TEST(Fracture, ACrackRunsNoFasterThanItMay) {
   constexpr double SPEED = 0.4, ELEMENT = 0.15;  // [m/s]; longest edge of an element in the plate [m]
   Scene scene = pulledPlate();
-  for (Hold& hold : scene.boundary) hold.velocity *= 20;
+  for (Clamp& clamp : scene.boundary) clamp.velocity *= 20;
   scene.cuts = {notch(-1, -0.5, 0.03)};
   std::vector<double> reach;
   for (const double speed : {SPEED, std::numeric_limits<double>::infinity()}) {

@@ -16,7 +16,7 @@ DeformableBody makeBody(const Scene& scene) { return DeformableBody(scene, loadM
 Scene swingingWithCuts(Integrator integrator) {
   Scene scene = withIntegrator(softBar(), integrator);
   scene.gravity = Vec3(0, 1, -9.81);
-  scene.boundary = {holdLeftEnd()};
+  scene.boundary = {clampLeftEnd()};
   scene.cuts = crossingCuts(0.02);
   return scene;
 }

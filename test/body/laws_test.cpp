@@ -12,7 +12,7 @@
 namespace incision {
 namespace {
 
-using test::holdLeftEnd;
+using test::clampLeftEnd;
 using test::plane;
 using test::rectangle;
 using test::softBar;
@@ -26,7 +26,7 @@ DeformableBody makeBody(const Scene& scene) { return DeformableBody(scene, loadM
 Scene cutInMotion(Method method, int threads) {
   Scene scene = softBar();
   scene.gravity = Vec3(0, 1, -9.81);
-  scene.boundary = {holdLeftEnd()};
+  scene.boundary = {clampLeftEnd()};
   scene.body.material.stiffness_damping = 1e-3;
   scene.solver.method = method;
   scene.solver.threads = threads;
@@ -230,7 +230,7 @@ TEST(FreeFlight, EveryPieceFallsAsOne) {
 TEST(HeldCopies, ACutBesideAClampDropsTheLoosePiece) {
   Scene scene = softBar();
   scene.gravity = Vec3(0, 0, -9.81);
-  scene.boundary = {holdLeftEnd()};
+  scene.boundary = {clampLeftEnd()};
   DeformableBody body = makeBody(scene);
   body.cut(plane(Vec3(0.03, 0, 0), Vec3(1, 0.1, 0)));  // within the first layer of elements
   ASSERT_EQ(body.counts().pieces, 2);
@@ -290,7 +290,7 @@ void expectSameMotion(const PlaneCut& cut, const TetMesh& whole, const TetMesh& 
 TEST(ACutAlongFaces, EqualsTheMeshWithDuplicatedNodes) {
   Scene scene = softBar();
   scene.gravity = Vec3(0, 2, -9.81);
-  scene.boundary = {holdLeftEnd()};
+  scene.boundary = {clampLeftEnd()};
   const TetMesh bar = gridMesh(BAR);
   const auto all = [](const Vec3&) { return true; };
   expectSameMotion(plane(Vec3(0.5, 0, 0), Vec3::UnitX()), bar, withDuplicates(bar, 0.5, all), scene);

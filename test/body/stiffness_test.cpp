@@ -22,7 +22,7 @@ TetMesh bar(int n) { return block({5 * n, n, n}, Vec3(L, H, H)); }
 
 RigSettings clamped() {
   RigSettings settings = statics(E, 0);
-  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   return settings;
 }
 
@@ -125,7 +125,7 @@ TEST(SplitCantilever, ThroughElementsIsAsGoodAsAlongFaces) {
 // Its arms, of height H/2, are pulled apart by the shear of their end faces. Returns the opening of one arm.
 double doubleCantileverBeam(int n, double crack) {
   RigSettings settings = clamped();
-  settings.conditions.holds[0].box.max.x() = L - crack + 1e-9;
+  settings.conditions.clamps[0].box.max.x() = L - crack + 1e-9;
   RestBox upper = slab(0, L), lower = upper;
   upper.min.z() = H / 2 - 1e-9;
   lower.max.z() = H / 2 + 1e-9;

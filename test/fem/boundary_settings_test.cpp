@@ -8,10 +8,10 @@ namespace incision {
 namespace {
 
 TEST(BoundarySettings, ArriveFromTheirSections) {
-  const Hold hold = parseHold(test::section("boundary.0", "{box: [[-1, -2, -3], [1, 2, 3]], velocity: [4, 5, 6]}"));
-  EXPECT_EQ(hold.box.min, Vec3(-1, -2, -3));
-  EXPECT_EQ(hold.box.max, Vec3(1, 2, 3));
-  EXPECT_EQ(hold.velocity, Vec3(4, 5, 6));
+  const Clamp clamp = parseClamp(test::section("boundary.0", "{box: [[-1, -2, -3], [1, 2, 3]], velocity: [4, 5, 6]}"));
+  EXPECT_EQ(clamp.box.min, Vec3(-1, -2, -3));
+  EXPECT_EQ(clamp.box.max, Vec3(1, 2, 3));
+  EXPECT_EQ(clamp.velocity, Vec3(4, 5, 6));
   const Load load =
       parseLoad(test::section("loads.0", "{box: [[0, 0, 0], [1, 1, 1]], traction: [7, 8, 9], ramp: 0.5}"));
   EXPECT_EQ(load.box.max, Vec3(1, 1, 1));
@@ -20,7 +20,7 @@ TEST(BoundarySettings, ArriveFromTheirSections) {
 }
 
 TEST(BoundarySettings, BadValuesAreRefused) {
-  test::expectRefused(parseHold, "boundary.0",
+  test::expectRefused(parseClamp, "boundary.0",
                       {{"{velocity: [0, 0, 0]}", ": the key box is missing"},
                        {"{box: 1}", ".box: '1' (allowed: a list of 2)"},
                        {"{box: [[0, 0, 0], [1, 1]]}", ".box.1: a list of 2 (allowed: a list of 3)"},

@@ -86,16 +86,16 @@ TEST(Tractions, NeedAllNodesOfAFaceInTheBox) {
 }
 
 // How many copies of each piece are held at x = 0.
-std::vector<int> heldOfPieces(const CutMesh& mesh, const std::vector<Hold>& holds) {
+std::vector<int> heldOfPieces(const CutMesh& mesh, const std::vector<Clamp>& clamps) {
   int pieces = 0;
   const std::vector<int> piece = mesh.copyPieces(&pieces);
-  const std::vector<int> held = heldCopies(mesh, holds, heldNodes(mesh.mesh(), holds));
+  const std::vector<int> held = heldCopies(mesh, clamps, heldNodes(mesh.mesh(), clamps));
   std::vector<int> count(pieces, 0);
   for (int c = 0; c < mesh.numCopies(); ++c) count[piece[c]] += held[c] >= 0;
   return count;
 }
 
-const std::vector<Hold> CLAMP = {{slab(0, 0), Vec3::Zero()}};
+const std::vector<Clamp> CLAMP = {{slab(0, 0), Vec3::Zero()}};
 
 TEST(HeldCopies, AreTheOwnOnesWhereNothingIsCut) {
   const CutMesh mesh = cutBlock({});
@@ -120,9 +120,9 @@ TEST(HeldCopies, HoldBothPiecesOfACutAcrossTheClamp) {
 }
 
 TEST(HeldCopies, HoldAFragmentWithAShareOfAHeldElement) {
-  const std::vector<Hold> hold = {{{Vec3(-1, -1, -1), Vec3(0.3 + 1e-9, 1, 1)}, Vec3::Zero()}};
+  const std::vector<Clamp> clamp = {{{Vec3(-1, -1, -1), Vec3(0.3 + 1e-9, 1, 1)}, Vec3::Zero()}};
   const CutMesh mesh = cutBlock({plane(Vec3(0.15, 0.1, 0.1), Vec3(1, 0.2, 0.1))});
-  for (int count : heldOfPieces(mesh, hold)) EXPECT_GE(count, 4);
+  for (int count : heldOfPieces(mesh, clamp)) EXPECT_GE(count, 4);
 }
 
 TEST(HeldNodes, BelongToTheFirstHoldWhoseBoxHasThem) {

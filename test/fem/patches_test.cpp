@@ -161,7 +161,7 @@ TEST(AveragedPressure, NearlyIncompressibleBarsBend) {
          {std::vector<PlaneCut>{}, {rectangle(Vec3(0.5, 0.13, 0.13), Vec3(0, 1, 0.1), Vec3::UnitX(), 0.8, 0.4)}}) {
       RigSettings settings = statics(E, 0.4999);
       settings.pressure = pressure;
-      settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+      settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
       settings.conditions.loads = {{slab(0, L), Vec3(0, 0, -TRACTION), 0}};
       Rig rig(block({16, 4, 4}, Vec3(L, H, H)), settings);
       for (const PlaneCut& cut : cuts) ASSERT_TRUE(rig.cut(cut).changed());

@@ -37,7 +37,7 @@ TEST(BackwardDifference, AModeFollowsTheFormula) {
   for (const double phase_step : {0.1, 1.0, 5.0}) {
     RigSettings settings;
     settings.warping = false;
-    settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+    settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
     const SecondOrderRig probe(settings);
     const std::vector<int> copies = probe.freeCopies();
     const Eigen::MatrixXd K = systemMatrix(probe.step.assembly(), {0, 1}, copies);
@@ -114,7 +114,7 @@ TEST(BackwardDifference, PiecesFallAsTheFormulaSays) {
 
 TEST(BackwardDifference, WhatIsHeldMovesWithItsHold) {
   RigSettings settings;
-  settings.conditions.holds = {{slab(0, 0), Vec3(0.3, 0, 0)}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3(0.3, 0, 0)}};
   SecondOrderRig rig(settings);
   const std::vector<Vec3> X = rig.motion.x;
   for (int n = 0; n < 10; ++n) ASSERT_TRUE(rig.advance());

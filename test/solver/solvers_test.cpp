@@ -27,7 +27,7 @@ RigSettings settingsOf(const Case& of, Method method) {
   settings.pressure = of.pressure;
   settings.solver = {of.time_step, method, 1e-8, 1};
   settings.conditions.gravity = Vec3(0, 0, -9.81);
-  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   settings.conditions.loads = {{slab(0, 1), Vec3(1000, 500, 0), 0}};
   return settings;
 }
@@ -209,7 +209,7 @@ TEST(Solvers, AKeptFactorIsDroppedWhenTheStepOrTheTopologyChanges) {
 TEST(Solvers, AutoIsDirectForSmallBodiesAndIterativeForLarge) {
   RigSettings settings;
   settings.conditions.gravity = Vec3(0, 0, -1);
-  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   settings.solver.method = Method::AUTO;
   Rig small(block({2, 2, 2}, Vec3::Ones()), settings), large(block({10, 10, 10}, Vec3::Ones()), settings);
   ASSERT_TRUE(small.advance() && large.advance());
@@ -243,7 +243,7 @@ TEST(Solvers, ABodyHeldEverywhereHasNothingToSolve) {
     RigSettings settings;
     settings.solver.method = method;
     settings.conditions.gravity = Vec3(0, 0, -1);
-    settings.conditions.holds = {{{Vec3::Constant(-1), Vec3::Constant(2)}, Vec3(1, 2, 3)}};
+    settings.conditions.clamps = {{{Vec3::Constant(-1), Vec3::Constant(2)}, Vec3(1, 2, 3)}};
     Rig rig(block({2, 2, 2}, Vec3::Ones()), settings);
     rig.cut(plane(Vec3::Constant(0.3), Vec3::UnitX()));
     ASSERT_TRUE(rig.advance());

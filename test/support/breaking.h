@@ -24,14 +24,14 @@ struct Breaking {
 
 /// A hold for every node of the mesh that is chosen, at its place in `placed`, so that a turned body can be held too.
 /// Choice and velocity go by the place in `mesh`.
-inline std::vector<Hold> holdEach(const TetMesh& mesh, const std::function<bool(const Vec3&)>& chosen,
-                                  const TetMesh& placed, const std::function<Vec3(const Vec3&)>& velocity) {
-  std::vector<Hold> holds;
+inline std::vector<Clamp> clampEach(const TetMesh& mesh, const std::function<bool(const Vec3&)>& chosen,
+                                    const TetMesh& placed, const std::function<Vec3(const Vec3&)>& velocity) {
+  std::vector<Clamp> clamps;
   const Vec3 room = Vec3::Constant(1e-9);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
     if (chosen(mesh.nodes[n]))
-      holds.push_back({{placed.nodes[n] - room, placed.nodes[n] + room}, velocity(mesh.nodes[n])});
-  return holds;
+      clamps.push_back({{placed.nodes[n] - room, placed.nodes[n] + room}, velocity(mesh.nodes[n])});
+  return clamps;
 }
 
 inline TetMesh turned(TetMesh mesh, const Mat3& R) {

@@ -17,7 +17,7 @@ inline Scene softBar() {
   return scene;
 }
 
-inline Hold holdLeftEnd() { return {{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}; }
+inline Clamp clampLeftEnd() { return {{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}; }
 
 /// The bar 1 × 0.25 × 0.25 m whose cost is watched: held at x = 0 it swings under gravity, and 1e-4 ends the iteration.
 inline Scene swingingBar(const std::array<int, 3>& cells, double young_modulus) {
@@ -25,7 +25,7 @@ inline Scene swingingBar(const std::array<int, 3>& cells, double young_modulus) 
   scene.body.grid = GridSettings{cells, Vec3(1, 0.25, 0.25), Vec3::Zero()};
   scene.body.material.young_modulus = young_modulus;
   scene.body.material.poisson_ratio = 0.45;
-  scene.boundary = {holdLeftEnd()};
+  scene.boundary = {clampLeftEnd()};
   scene.solver.method = Method::ITERATIVE;
   scene.solver.tolerance = 1e-4;
   return scene;

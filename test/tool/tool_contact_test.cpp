@@ -22,7 +22,7 @@ RigSettings damped() {
   RigSettings settings;
   settings.material = {E, 0.3, 1000, 0, 2e-3};
   settings.solver = {0.005, Method::DIRECT, 1e-8, 1};
-  settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(2, 0), Vec3::Zero()}};
   return settings;
 }
 
@@ -35,7 +35,7 @@ struct PressedBlock : ToolRig {
   }
   static RigSettings held() {
     RigSettings settings = statics(E, 0);
-    settings.conditions.holds = {{slab(2, 0), Vec3::Zero()}};
+    settings.conditions.clamps = {{slab(2, 0), Vec3::Zero()}};
     return settings;
   }
   static std::string textOf(const Vec3& v) {
@@ -81,7 +81,7 @@ TEST(ToolContacts, IsNotThereWithoutAPose) {
 TEST(ToolContacts, HasFrictionOfItsOwn) {
   for (const double friction : {0.1, 0.5}) {
     RigSettings settings = damped();
-    settings.conditions.holds.clear();
+    settings.conditions.clamps.clear();
     ContactSettings touching = touchingNothing();
     touching.ground = 0;
     touching.friction = 0.3;
@@ -121,7 +121,7 @@ TEST(ToolContacts, GivesWayAtItsEdgeWhileThatCuts) {
 // A free block hit by a ball that turns.
 TEST(ToolContacts, TakesTheMomentumThatTheBodyGains) {
   RigSettings settings = damped();
-  settings.conditions.holds.clear();
+  settings.conditions.clamps.clear();
   ToolRig rig(cube(), settings, touchingNothing(), toolUrdf("<sphere radius='0.08'/>"), 0.5);
   const auto pose = [](int k) {
     return Pose{Vec3(0.11 + 2e-3 * k, 0.08, SIDE + 0.08 - 3e-3 * k),
@@ -155,7 +155,8 @@ struct BladeInSlit : ToolRig {
   /// How far vertices of the slit are from the middle of the blade, towards their own material [m]; of those beside the
   /// blade where it does not give way.
   std::vector<double> openings() const {
-    const std::vector<Vec3> x = surfacePositions(surface.get(), motion.x), X = surfacePositions(surface.get(), restPositions(mesh));
+    const std::vector<Vec3> x = surfacePositions(surface.get(), motion.x),
+                            X = surfacePositions(surface.get(), restPositions(mesh));
     std::vector<double> openings;
     for (std::size_t t = 0; t < surface.get().triangles.size(); ++t) {
       if (!surface.get().cut_face[t]) continue;

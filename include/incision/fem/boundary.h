@@ -7,12 +7,12 @@
 
 namespace incision {
 
-/// Index of the first hold whose box contains the node, or −1, for every node.
-std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Hold>& holds);
+/// Index of the first clamp whose box contains the node, or −1, for every node.
+std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Clamp>& clamps);
 
-/// The hold of every copy, or −1. A copy of a held node is held when it is the own copy, or when its parts own area of
+/// The clamp of every copy, or −1. A copy of a held node is held when it is the own copy, or when its parts own area of
 /// a boundary face, or volume of an element, all of whose nodes are held with the node's velocity.
-std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<Hold>& holds, const std::vector<int>& held_nodes);
+std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<Clamp>& clamps, const std::vector<int>& held_nodes);
 
 /// Nodal forces [N] at full load, one entry per load: Σ ∫ N_I t dA over what each part owns of the loaded faces.
 std::vector<std::vector<Vec3>> loadForces(const CutMesh& mesh, const std::vector<Load>& loads);

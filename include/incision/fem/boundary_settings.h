@@ -5,7 +5,7 @@
 namespace incision {
 
 /// Nodes whose rest position lies in the box move with a given velocity.
-struct Hold {
+struct Clamp {
   RestBox box;
   Vec3 velocity = Vec3::Zero();  ///< [m/s]
 };
@@ -18,7 +18,7 @@ struct Load {
 };
 
 /// An entry of the section `boundary`. Throws InputError.
-Hold parseHold(const YamlValue& value);
+Clamp parseClamp(const YamlValue& value);
 
 /// An entry of the section `loads`. Throws InputError.
 Load parseLoad(const YamlValue& value);

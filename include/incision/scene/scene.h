@@ -23,7 +23,7 @@ namespace incision {
 struct Scene {
   BodySettings body;
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
-  std::vector<Hold> boundary;
+  std::vector<Clamp> boundary;
   std::vector<Load> loads;
   SolverSettings solver;
   std::vector<ScheduledCut> cuts;

@@ -13,7 +13,7 @@ namespace incision {
 /// Forces from outside and clamps.
 struct BoundaryConditions {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
-  std::vector<Hold> holds;
+  std::vector<Clamp> clamps;
   std::vector<Load> loads;
 };
 

@@ -53,7 +53,7 @@ Run simulate(const Bar& bar, const Scheme& scheme, const Choice& choice) {
   settings.warping = choice.warping;
   settings.solver = {choice.time_step, choice.method, choice.tolerance, 2};
   settings.conditions.gravity = Vec3(0, 0, -bar.gravity);
-  if (bar.clamped) settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  if (bar.clamped) settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   Rig rig(block({4 * choice.cells, choice.cells, choice.cells}, SIZE), settings);
   for (std::size_t c = 0; c < rig.motion.x.size(); ++c)
     if (rig.step.held()[c] < 0) rig.motion.v[c] = bar.velocity(rig.motion.x[c]);

@@ -33,7 +33,7 @@ struct SwingingMode {
     RigSettings result;
     result.warping = false;
     result.solver.time_step = time_step;
-    result.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+    result.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
     return result;
   }
   static Rig makeRig(double time_step) { return Rig(block({8, 2, 2}, Vec3(1, 0.25, 0.25)), settings(time_step)); }

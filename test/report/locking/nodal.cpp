@@ -58,7 +58,7 @@ NodalAverage nodalAverage(const Problem& problem, const TetMesh& mesh, double po
   // Without volume change of their own, elements have λ = 0 and the same μ.
   const Material tissue{YOUNG_MODULUS, poisson_ratio, 1, 0, 0};
   RigSettings settings = statics(2 * tissue.mu(), 0);
-  settings.conditions = {Vec3::Zero(), problem.holds, problem.loads};
+  settings.conditions = {Vec3::Zero(), problem.clamps, problem.loads};
   const Rig rig(mesh, settings);
   const std::vector<int> copies = rig.freeCopies();
   const Sparse D = meanDilatations(rig, copies, tissue.lambda());

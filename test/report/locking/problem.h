@@ -14,10 +14,10 @@ inline constexpr double YOUNG_MODULUS = 1e5;  ///< [Pa]; errors do not depend on
 /// A box of tissue under a small load, and the one number that is asked of it.
 struct Problem {
   std::string name;
-  Vec3 size, origin;         ///< of the box [m]
-  std::array<int, 3> cells;  ///< of the coarsest grid: cubes
-  std::vector<Hold> holds;   ///< velocities are displacements [m]
-  std::vector<Load> loads;   ///< one or none
+  Vec3 size, origin;          ///< of the box [m]
+  std::array<int, 3> cells;   ///< of the coarsest grid: cubes
+  std::vector<Clamp> clamps;  ///< velocities are displacements [m]
+  std::vector<Load> loads;    ///< one or none
 
   /// Whether a plate presses and its force is asked; else the displacement along the load, its mean over the load.
   bool plate() const { return loads.empty(); }

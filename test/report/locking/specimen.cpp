@@ -12,7 +12,7 @@ constexpr int THREADS = 2;
 RigSettings atRest(const Problem& problem, double poisson_ratio, Pressure pressure) {
   RigSettings settings = statics(YOUNG_MODULUS, poisson_ratio);
   settings.pressure = pressure;
-  settings.conditions = {Vec3::Zero(), problem.holds, problem.loads};
+  settings.conditions = {Vec3::Zero(), problem.clamps, problem.loads};
   return settings;
 }
 
@@ -20,7 +20,7 @@ RigSettings inMotion(const Problem& problem, double poisson_ratio, Pressure pres
   RigSettings settings;
   settings.material = {YOUNG_MODULUS, poisson_ratio, 1000, 0, 0};
   settings.pressure = pressure;
-  settings.conditions = {Vec3::Zero(), problem.holds, problem.loads};
+  settings.conditions = {Vec3::Zero(), problem.clamps, problem.loads};
   settings.solver.threads = THREADS;
   return settings;
 }
@@ -37,7 +37,7 @@ Specimen::Specimen(const Problem& problem, TetMesh rest, double poisson_ratio, P
 double Specimen::answer() const {
   if (problem_.plate()) {
     double moved = 0;
-    for (const Hold& hold : problem_.holds) moved += hold.velocity.norm();
+    for (const Clamp& clamp : problem_.clamps) moved += clamp.velocity.norm();
     return 2 * step.assembly().elasticEnergy(motion.x) / moved;
   }
   const std::vector<Vec3> forces = loadForces(mesh, problem_.loads).front(), u = displacements();

@@ -25,7 +25,7 @@ const char* const RECOVERY_REASON =
 
 class Bar : public Watched {
  public:
-  Bar(Method method, const std::vector<Hold>& holds) : Watched(block({8, 3, 3}, SIZE), settingsOf(method, holds)) {
+  Bar(Method method, const std::vector<Clamp>& clamps) : Watched(block({8, 3, 3}, SIZE), settingsOf(method, clamps)) {
     cut(rectangle(Vec3(0.31, 0.1, 0.2), Vec3(1, 0.1, 0.2), Vec3::UnitZ(), 0.2, 0));
   }
 
@@ -52,11 +52,11 @@ class Bar : public Watched {
   }
 
  private:
-  static RigSettings settingsOf(Method method, const std::vector<Hold>& holds) {
+  static RigSettings settingsOf(Method method, const std::vector<Clamp>& clamps) {
     RigSettings settings = freeBody(method);
     settings.material = DAMPED;
     settings.solver.time_step = 0.005;
-    settings.conditions.holds = holds;
+    settings.conditions.clamps = clamps;
     return settings;
   }
 };

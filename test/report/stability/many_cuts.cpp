@@ -166,7 +166,7 @@ void longRun(Matrix* matrix) {
     RigSettings settings = freeBody(Method::DIRECT);
     if (held) {
       settings.conditions.gravity = Vec3(0, 0, -9.81);
-      settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+      settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
     }
     Watched body(gridMesh(box), settings);
     test::Random random(96);

@@ -26,7 +26,7 @@ class SlitBar : public Watched {
     RigSettings settings;
     settings.material = {young_modulus, poisson_ratio, DENSITY, 0, 0};
     settings.conditions.gravity = Vec3(0, 0, -G);
-    settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+    settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
     settings.solver = {dt, method, 1e-6, 1};
     return settings;
   }

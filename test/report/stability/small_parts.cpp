@@ -93,7 +93,7 @@ void chains(Matrix* matrix) {
         RigSettings settings = freeBody(method);
         settings.material = {1e6, 0, 1000, 20, 0};
         settings.conditions.gravity = Vec3(0, 0, -G);
-        settings.conditions.holds = {{slab(2, 0.8), Vec3::Zero()}};
+        settings.conditions.clamps = {{slab(2, 0.8), Vec3::Zero()}};
         Watched body(block({2, 2, 8}, CELL * Vec3(2, 2, 8)), settings);
         const double from = inside ? 0.3 * CELL : 0;
         for (int axis : {0, 1})
@@ -119,7 +119,7 @@ void bridges(Matrix* matrix) {
       RigSettings settings = freeBody(method);
       settings.material.young_modulus = 1e6;
       settings.conditions.gravity = Vec3(0, 0, -G);
-      settings.conditions.holds = {{slab(2, 0.8), Vec3::Zero()}};
+      settings.conditions.clamps = {{slab(2, 0.8), Vec3::Zero()}};
       settings.solver.time_step = 1e-3;
       Watched body(block({3, 3, 8}, CELL * Vec3(3, 3, 8)), settings);
       body.cut(rectangle(Vec3(width * CELL, 0.15, 0.4), Vec3::UnitX(), Vec3::UnitZ(), 4 * CELL, 0));

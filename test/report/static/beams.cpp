@@ -24,7 +24,7 @@ RigSettings clampedUpTo(double x, const std::vector<Load>& loads) {
   settings.conditions.loads = loads;
   RestBox box = slab(0, 0);
   box.max.x() = x + 1e-9;
-  settings.conditions.holds = {{box, Vec3::Zero()}};
+  settings.conditions.clamps = {{box, Vec3::Zero()}};
   return settings;
 }
 

@@ -19,10 +19,10 @@ RigSettings bentEnds(const TetMesh& mesh) {
   RigSettings settings = statics(E, 0);
   settings.solver.method = Method::AUTO;
   settings.solver.threads = 2;
-  settings.conditions.holds = {{slab(0, 0), Vec3::Zero()}};
+  settings.conditions.clamps = {{slab(0, 0), Vec3::Zero()}};
   const Vec3 reach = Vec3::Constant(1e-9);
   for (const Vec3& X : mesh.nodes)
-    if (slab(0, L).contains(X)) settings.conditions.holds.push_back({{X - reach, X + reach}, exactField(X)});
+    if (slab(0, L).contains(X)) settings.conditions.clamps.push_back({{X - reach, X + reach}, exactField(X)});
   return settings;
 }
 

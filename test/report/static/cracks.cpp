@@ -18,7 +18,7 @@ const std::vector<Way> ALL_WAYS = {{false, true}, {false, false}, {false, false,
 RigSettings pulled(double half, const RestBox& patch) {
   RigSettings settings = statics(E, 0);
   settings.conditions.loads = {{slab(2, half), Vec3(0, 0, TENSION), 0}, {slab(2, -half), Vec3(0, 0, -TENSION), 0}};
-  settings.conditions.holds = {{patch, Vec3::Zero()}};
+  settings.conditions.clamps = {{patch, Vec3::Zero()}};
   return settings;
 }
 
