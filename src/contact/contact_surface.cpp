@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "incision/base/lists.h"
@@ -60,17 +59,20 @@ class Builder {
  public:
   explicit Builder(ContactSurface* made) : made_(*made) {}
 
-  void run(const CutMesh& mesh) {
+  void run(const CutMesh& mesh, const Materials& materials) {
     const auto& triangles = made_.surface->triangles;
     const std::size_t vertices = made_.surface->vertices.size();
     made_.size.assign(vertices, 0);
     made_.area.assign(vertices, 0);
+    made_.young_modulus.assign(vertices, 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       areas_.push_back(areaVector(made_.rest, triangles[t]));
-      const double size = std::cbrt(6 * elementVolume(mesh.mesh(), mesh.parts()[made_.surface->part[t]].element));
+      const int element = mesh.parts()[made_.surface->part[t]].element;
+      const double size = materials.size(element);
       for (int v : triangles[t]) {
         made_.size[v] += size;
         made_.area[v] += areas_[t].norm() / 3;
+        made_.young_modulus[v] = std::max(made_.young_modulus[v], materials.youngModulus(element));
       }
     }
     Lists<int> triangles_at;  // each vertex
@@ -118,7 +120,8 @@ class Builder {
 
 }  // namespace
 
-ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece) {
+ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const Materials& materials,
+                                  const std::vector<int>& piece) {
   ContactSurface made;
   made.surface = &surface;
   std::vector<Vec3> X;
@@ -126,7 +129,7 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   made.rest = surfacePositions(surface, X);
   for (const SurfaceVertex& vertex : surface.vertices) made.vertex_piece.push_back(piece[vertex.copies[0]]);
   for (const auto& triangle : surface.triangles) made.piece.push_back(made.vertex_piece[triangle[0]]);
-  Builder(&made).run(mesh);
+  Builder(&made).run(mesh, materials);
   made.own = ownWeights(made);
   for (double size : made.size) made.mean_size += size / static_cast<double>(made.size.size());
   return made;

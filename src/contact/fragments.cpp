@@ -77,7 +77,7 @@ bool closesGap(const ContactSurface& surface, int triangle) {
 }  // namespace
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
-                          double time_step, double stiffness, int threads, std::vector<Candidate>* candidates) {
+                          double time_step, int threads, std::vector<Candidate>* candidates) {
   measure(surface, x, threads);
   if (!isFresh(x, v, time_step)) search(surface, x, v, time_step, threads);
   for (const Pair& pair : best_) {
@@ -89,7 +89,7 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
     const int vertex = surface.samples[now.sample].vertex;
     const Vec3 velocity = v[vertex] - now.weights[0] * v[a] - now.weights[1] * v[b] - now.weights[2] * v[c];
     if (now.gap + time_step * normals_[now.triangle].dot(velocity) < MARGIN * surface.size[vertex])
-      candidates->push_back(candidate(surface, now, twin < 0 ? 0.5 : 1, stiffness));
+      candidates->push_back(candidate(surface, now, twin < 0 ? 0.5 : 1));
   }
 }
 
@@ -157,8 +157,7 @@ int FragmentFinder::twinOf(const ContactSurface& surface, const Pair& pair) cons
   return -1;
 }
 
-Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& pair, double share,
-                                    double stiffness) const {
+Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& pair, double share) const {
   const ContactSurface::Sample& sample = surface.samples[pair.sample];
   Candidate made;
   made.sample = pair.sample;
@@ -169,7 +168,7 @@ Candidate FragmentFinder::candidate(const ContactSurface& surface, const Pair& p
   made.slip.setZero();
   made.normal_in_solid.setZero();
   made.size = surface.size[sample.vertex];
-  made.stiffness = share * stiffness * sample.area / made.size;
+  made.stiffness = share * (CONTACT_STIFFNESS * surface.young_modulus[sample.vertex]) * sample.area / made.size;
   made.point = between(surface, pair);
   return made;
 }

@@ -118,7 +118,7 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
   if (!(candidate.gap + closing < MARGIN * size)) return std::nullopt;
   candidate.slip.setZero();
   candidate.size = size;
-  candidate.stiffness = OBSTACLE_STIFFNESS * surface.young_modulus * surface.area[vertex] / size;
+  candidate.stiffness = OBSTACLE_STIFFNESS * surface.young_modulus[vertex] * surface.area[vertex] / size;
   addVertex(surface.surface->vertices[vertex], 1, &candidate.point);
   return candidate;
 }

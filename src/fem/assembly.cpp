@@ -19,10 +19,10 @@ constexpr double ROUNDINGS = 16;
 
 }  // namespace
 
-Assembly::Assembly(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
+Assembly::Assembly(const CutMesh& mesh, const Materials& materials, Mass mass, Pressure pressure, bool warping,
                    int threads)
     : mesh_(mesh),
-      material_(material),
+      materials_(materials),
       mass_(mass),
       warping_(warping),
       threads_(threads),
@@ -86,13 +86,14 @@ void Assembly::findCorners(const std::vector<char>& touched) {
 // The trace of K_cc is V_p (λ + 4 μ) b_I·b_I for each corner. The rounding of a force: F is a sum of y_J b_Jᵀ that
 // mostly cancel, so it has that of the largest, and the stress carries it on.
 void Assembly::sumCorners(int c) {
-  const double lambda = material_.lambda(), mu = material_.mu();
   masses_[c] = mass_diagonal_[c] = stiffness_diagonal_[c] = force_rounding_[c] = 0;
   for (const Corner& corner : corners_[c]) {
     const int p = corner.part, I = corner.node;
+    const Material& material = materialOf(p);
+    const double lambda = material.lambda(), mu = material.mu();
     const Gradients b = rest_[mesh_.parts()[p].element].gradients();
     const double V = volume(p), largest = std::sqrt(b.colwise().squaredNorm().maxCoeff());
-    masses_[c] += material_.density * V * mesh_.centroid(p)[I];
+    masses_[c] += material.density * V * mesh_.centroid(p)[I];
     mass_diagonal_[c] += massProduct(p, I, I);
     stiffness_diagonal_[c] += V * (lambda + 4 * mu) / 3 * b.col(I).squaredNorm();
     force_rounding_[c] +=
@@ -169,8 +170,9 @@ void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& ro
 
 /// With averaged pressure, of the means found last.
 Mat3 Assembly::stressOf(int part, const Mat3& RtF) const {
-  return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], material_)
-                  : corotatedStress(RtF, material_);
+  const Material& material = materialOf(part);
+  return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], material)
+                  : corotatedStress(RtF, material);
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {
@@ -216,14 +218,14 @@ double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
 
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
   const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
-  if (!patches_) return R * corotatedStress(R.transpose() * F, material_) * R.transpose();
+  if (!patches_) return R * corotatedStress(R.transpose() * F, materialOf(part)) * R.transpose();
   double gained = 0;
   const int a = patches_->of(part);
   for (int p : patches_->parts()[a]) {
     const Mat3 F_p = gradientOf(p, x);
     gained += volume(p) * (rotationAt(p, F_p).cwiseProduct(F_p).sum() - 3);
   }
-  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), material_) * R.transpose();
+  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), materialOf(part)) * R.transpose();
 }
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
@@ -233,13 +235,13 @@ void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) c
   turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
     found_rotations_[p] = R;
     const Mat3 RtF = R.transpose() * F;
-    (*stress)[p] =
-        R * (patches_ ? corotatedStress(RtF, 0, material_) : corotatedStress(RtF, material_)) * R.transpose();
+    const Material& material = materialOf(p);
+    (*stress)[p] = R * (patches_ ? corotatedStress(RtF, 0, material) : corotatedStress(RtF, material)) * R.transpose();
   });
   if (!patches_) return;
   averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return found_rotations_[p]; });
   parallelFor(static_cast<int>(stress->size()), threads_, [&](int p) {
-    (*stress)[p].diagonal().array() += material_.lambda() * mean_dilatations_[patches_->of(p)];
+    (*stress)[p].diagonal().array() += materialOf(p).lambda() * mean_dilatations_[patches_->of(p)];
   });
 }
 
@@ -258,7 +260,7 @@ Gradients Assembly::rotatedGradients(int part) const {
 }
 
 double Assembly::massProduct(int part, int I, int J) const {
-  const double element_mass = material_.density * rest_[mesh_.parts()[part].element].volume;
+  const double element_mass = materialOf(part).density * rest_[mesh_.parts()[part].element].volume;
   if (mesh_.parts()[part].detail < 0) return element_mass * (I == J ? 2 : 1) / 20;
   return element_mass * mesh_.detail(part).products(I, J);
 }

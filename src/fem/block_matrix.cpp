@@ -133,7 +133,7 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
   findGradients(assembly, factors.stiffness, least);
   const bool averaged = assembly.patches() != nullptr;
   if (averaged) findPatchGradients(assembly, pattern, factors.stiffness, scale);
-  const T lambda = averaged ? T(0) : static_cast<T>(assembly.material().lambda() / assembly.material().mu());
+  const T lambda = averaged ? T(0) : static_cast<T>(assembly.materials().lameRatio());
   resizeWithRoom(BLOCK_SIZE * pattern.column.size() + 1, blocks);  // a column is read as four
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     const int begin = pattern.row_start[row], end = pattern.row_start[row + 1];
@@ -158,9 +158,9 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
 template <typename T>
 void BlockAssembler<T>::findGradients(const Assembly& assembly, double stiffness, double least) {
   const int parts = static_cast<int>(assembly.mesh().parts().size());
-  const double mu = assembly.material().mu();
   resizeWithRoom(12 * static_cast<std::size_t>(parts) + 1, &gradients_);  // a column is read as four
   parallelFor(parts, assembly.threads(), [&](int p) {
+    const double mu = assembly.materials().of(assembly.mesh().parts()[p].element).mu();
     const double root = least * std::sqrt(stiffness * assembly.volume(p) * mu);
     Eigen::Map<Eigen::Matrix<T, 3, 4>> g(&gradients_[12 * static_cast<std::size_t>(p)]);
     g = (root * assembly.rotatedGradients(p)).template cast<T>();
@@ -185,7 +185,8 @@ void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const Block
       for (int I = 0; I < 4; ++I) h[patches.indexOf(n, I)] += assembly.volume(p) * g.col(I);
       volume += assembly.volume(p);
     }
-    const double root = std::sqrt(stiffness * assembly.material().lambda() / volume);
+    const int element = assembly.mesh().parts()[patches.parts()[a][0]].element;
+    const double root = std::sqrt(stiffness * assembly.materials().of(element).lambda() / volume);
     for (int i = 0; i < count; ++i) {
       const int row = pattern.row_of[patches.copies()[a][i]];
       if (row < 0) continue;

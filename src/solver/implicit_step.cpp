@@ -31,14 +31,14 @@ bool allFinite(const std::vector<Vec3>& values) {
 
 }  // namespace
 
-ImplicitStep::ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
+ImplicitStep::ImplicitStep(const CutMesh& mesh, const Materials& materials, Mass mass, Pressure pressure, bool warping,
                            const BoundaryConditions& conditions, const SolverSettings& settings,
                            MakeLinearSolver make_solver)
     : mesh_(mesh),
       conditions_(conditions),
       settings_(settings),
       make_solver_(std::move(make_solver)),
-      assembly_(mesh, material, mass, pressure, warping, settings.threads),
+      assembly_(mesh, materials, mass, pressure, warping, settings.threads),
       solver_(make_solver_(settings, warping)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.clamps)) {}
 
@@ -248,12 +248,12 @@ void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
 
 void ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion) {
   if (new_system) {
-    const Material& material = assembly_.material();
+    const Materials& materials = assembly_.materials();
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
     solver->systemChanged(
         assembly_, {held, piece_, memory_.group, touched_},
-        {1 + time_step * material.mass_damping, time_step * material.stiffness_damping + time_step * time_step});
+        {1 + time_step * materials.massDamping(), time_step * materials.stiffnessDamping() + time_step * time_step});
   }
   solver->matrixChanged(motion.x);
 }
@@ -300,7 +300,7 @@ void ImplicitStep::externalForces(double time) {
 // (y − x) is affine in y with slope K,
 //   r = Δt f_ext − M (Δv + α Δt (v + Δv)) − Δt f(x + (Δt + β)(v + Δv)).
 void ImplicitStep::residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
-  const double alpha = assembly_.material().mass_damping, beta = assembly_.material().stiffness_damping;
+  const double alpha = assembly_.materials().massDamping(), beta = assembly_.materials().stiffnessDamping();
   const int copies = mesh_.numCopies();
   const auto inertial = [&](int c) -> Vec3 { return dv[c] + alpha * time_step * (motion.v[c] + dv[c]); };
   y_.resize(copies);

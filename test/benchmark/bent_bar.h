@@ -29,7 +29,8 @@ struct Bar {
       : mesh(gridMesh({cells, Vec3(1, 0.25, 0.25), Vec3::Zero()}), THREADS),
         x(bent(mesh.mesh(), 0.5)),
         conditions{Vec3(0, 0, -9.81), {{{Vec3(-1, -1, -1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}}, {}},
-        assembly(mesh, Material(), Mass::LUMPED, true, THREADS),
+        materials(mesh.mesh(), Material()),
+        assembly(mesh, materials, Mass::LUMPED, Pressure::ELEMENT, true, THREADS),
         piece(x.size(), 0) {
     for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.clamps[0].box.contains(X));
     assembly.topologyChanged(x);
@@ -43,6 +44,7 @@ struct Bar {
   CutMesh mesh;
   std::vector<Vec3> x;
   BoundaryConditions conditions;
+  Materials materials;
   Assembly assembly;
   std::vector<bool> held;
   std::vector<int> piece;

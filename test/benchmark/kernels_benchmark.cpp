@@ -45,7 +45,7 @@ double bytesOf(const Matrix& matrix) { return BLOCK * static_cast<double>(matrix
 Motion atRest(const std::vector<Vec3>& x) { return {x, std::vector<Vec3>(x.size(), Vec3::Zero())}; }
 
 ImplicitStep makeStep(const Bar& bar, const CutMesh& mesh) {
-  return ImplicitStep(mesh, Material(), Mass::LUMPED, Pressure::ELEMENT, true, bar.conditions,
+  return ImplicitStep(mesh, bar.materials, Mass::LUMPED, Pressure::ELEMENT, true, bar.conditions,
                       {TIME_STEP, Method::ITERATIVE, 1e-4, THREADS});
 }
 
@@ -231,7 +231,7 @@ void fragmentSearch(State& state) {
   for (int c = static_cast<int>(x.size()); c < mesh.numCopies(); ++c) x.push_back(x[mesh.copyParent(c)]);
   int pieces = 0;
   const Surface surface = buildSurface(mesh);
-  const ContactSurface contact = makeContactSurface(surface, mesh, mesh.copyPieces(&pieces));
+  const ContactSurface contact = makeContactSurface(surface, mesh, bar.materials, mesh.copyPieces(&pieces));
   const std::vector<Vec3> vertices = surfacePositions(surface, x), still(vertices.size(), Vec3::Zero());
   FragmentFinder finder;
   std::vector<Candidate> candidates;
@@ -240,7 +240,7 @@ void fragmentSearch(State& state) {
   measure(state, bar, 2 * VECTOR * static_cast<double>(vertices.size()) + 3 * sizeof(int) * triangles, [&] {
     finder.surfaceChanged();
     candidates.clear();
-    return seconds = secondsOf([&] { finder.find(contact, vertices, still, TIME_STEP, 1, THREADS, &candidates); });
+    return seconds = secondsOf([&] { finder.find(contact, vertices, still, TIME_STEP, THREADS, &candidates); });
   });
   state.counters["ns/triangle"] = 1e9 * seconds / triangles;
 }

@@ -74,7 +74,7 @@ TEST_F(Separation, WithoutACutTheBarStretches) {
   EXPECT_GT(bar.step.assembly().elasticEnergy(bar.motion.x), 0);
   // Strain 1e-6/25 with the cross-section clamped at both ends: the energy lies between those of the stresses E ε and
   // (λ + 2μ) ε.
-  const Material& material = bar.step.assembly().material();
+  const Material& material = bar.step.assembly().materials().of(0);
   const double strain = MOVE / LENGTH, volume = 625;
   const double energy = bar.step.assembly().elasticEnergy(bar.motion.x);
   EXPECT_GT(energy, 0.5 * material.young_modulus * strain * strain * volume * (1 - 1e-6));

@@ -71,7 +71,8 @@ TEST(CutBody, MassesAndVolumesAddUp) {
   for (int run = 0; run < 10; ++run) {
     test::DeformedMesh cut(test::jitteredGrid(box, 0.2, &random));
     for (int k = 0; k < 6; ++k) cut.cut(k % 2 ? random.rectangle(box, 0.3, 1) : random.plane(box));
-    Assembly assembly(cut.mesh, TISSUE, Mass::LUMPED, Pressure::ELEMENT, true, 1);
+    const Materials materials(cut.mesh.mesh(), TISSUE);
+    Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::ELEMENT, true, 1);
     assembly.topologyChanged(cut.x);
     double mass = 0;
     for (double m : assembly.masses()) {
@@ -89,7 +90,8 @@ TEST(RigidMotion, OfEachPieceByItselfGivesNoForce) {
     test::DeformedMesh cut(test::jitteredGrid(box, 0.2, &random));
     for (int k = 0; k < 5; ++k) cut.cut(k % 2 ? random.rectangle(box, 0.3, 1) : random.plane(box));
     const Pressure pressure = run % 2 ? Pressure::AVERAGED : Pressure::ELEMENT;
-    Assembly assembly(cut.mesh, TISSUE, Mass::LUMPED, pressure, true, 1);
+    const Materials materials(cut.mesh.mesh(), TISSUE);
+    Assembly assembly(cut.mesh, materials, Mass::LUMPED, pressure, true, 1);
     assembly.topologyChanged(cut.x);
     cut.scatter(1, &random);
     assembly.rotate(cut.x);
@@ -111,7 +113,8 @@ TEST(UniformStrain, ParallelToCutsIsReproducedAcrossThem) {
     for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(0, 1, 0.4)})
       cut.cut(plane(Vec3(0, 0.23, 0.26), normal));
     cut.cut(rectangle(Vec3(0.5, 0.1, 0.1), Vec3(0, 1, -1), Vec3::UnitX(), 0.6, 0.3));
-    Assembly assembly(cut.mesh, TISSUE, Mass::LUMPED, run < 2 ? Pressure::ELEMENT : Pressure::AVERAGED, false, 1);
+    const Materials materials(cut.mesh.mesh(), TISSUE);
+    Assembly assembly(cut.mesh, materials, Mass::LUMPED, run < 2 ? Pressure::ELEMENT : Pressure::AVERAGED, false, 1);
     assembly.topologyChanged(cut.x);
     const double strain = 0.01, traction = TISSUE.young_modulus * strain;
     const Vec3 stretch(1 + strain, 1 - TISSUE.poisson_ratio * strain, 1 - TISSUE.poisson_ratio * strain);
@@ -189,7 +192,8 @@ TEST(MovementIndependence, APieceGainsTheMomentumOfItsOwnLoads) {
 
     int count = 0;
     const std::vector<int> piece = body.mesh().copyPieces(&count);
-    Assembly assembly(body.mesh(), scene.body.material, mass, Pressure::ELEMENT, true, 1);
+    const Materials materials(body.mesh().mesh(), scene.body.material);
+    Assembly assembly(body.mesh(), materials, mass, Pressure::ELEMENT, true, 1);
     assembly.topologyChanged(body.positions());
     std::vector<Vec3> Mv;
     assembly.multiplyMass(body.velocities(), &Mv);

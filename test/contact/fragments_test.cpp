@@ -18,7 +18,8 @@ struct Touching : Rig {
   // After the cuts.
   std::vector<Candidate> find() {
     surface = buildSurface(mesh);
-    contact = makeContactSurface(surface, mesh, step.pieceOf());
+    contact = makeContactSurface(surface, mesh, materials, step.pieceOf());
+    contact.young_modulus.assign(surface.vertices.size(), 1 / CONTACT_STIFFNESS);
     x = surfacePositions(surface, motion.x);
     v = surfacePositions(surface, motion.v);
     finder.surfaceChanged();
@@ -28,7 +29,7 @@ struct Touching : Rig {
   std::vector<Candidate> again() {
     x = surfacePositions(surface, motion.x);
     std::vector<Candidate> candidates;
-    finder.find(contact, x, v, 0.01, 1, 1, &candidates);
+    finder.find(contact, x, v, 0.01, 1, &candidates);
     return candidates;
   }
   // Moves a piece as a rigid one.
@@ -88,8 +89,8 @@ TEST(FragmentFinder, FindsFacesJustCutTouchingAndNoMore) {
     EXPECT_LT(std::abs(candidate.gap), 1e-12);
     EXPECT_TRUE(rig.surface.cut_face[rig.contact.around[rig.contact.samples[candidate.sample].first]]);
     EXPECT_NEAR(
-        std::accumulate(candidate.point.weights.begin(), candidate.point.weights.begin() + candidate.point.count, 0.0), 0,
-        1e-12);
+        std::accumulate(candidate.point.weights.begin(), candidate.point.weights.begin() + candidate.point.count, 0.0),
+        0, 1e-12);
     stiffness += candidate.stiffness * candidate.size;
   }
   double area = 0;

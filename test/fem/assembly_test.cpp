@@ -32,7 +32,7 @@ struct Jumble {
   }
   Rig rig;
   Assembly assembly{rig.mesh,
-                    TISSUE,
+                    rig.materials,
                     rig.step.assembly().consistentMass() ? Mass::CONSISTENT : Mass::LUMPED,
                     Pressure::ELEMENT,
                     rig.step.assembly().warping(),

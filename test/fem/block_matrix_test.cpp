@@ -19,13 +19,13 @@ class SystemMatrix : public ::testing::TestWithParam<Mass> {
     rig.cut(rectangle(Vec3(0.6, 0.22, 0.1), Vec3(0, 1, 0.1), Vec3::UnitX(), 0.5, 0));
     const std::vector<Vec3> moves = randomVectors(rig.motion.x.size(), 0.05, 9);
     for (std::size_t c = 0; c < moves.size(); ++c) rig.motion.x[c] += moves[c];
-    assembly =
-        std::make_unique<Assembly>(rig.mesh, Material{1e5, 0.4, 1100, 0, 0}, GetParam(), Pressure::ELEMENT, true, 1);
+    assembly = std::make_unique<Assembly>(rig.mesh, materials, GetParam(), Pressure::ELEMENT, true, 1);
     assembly->topologyChanged(rig.motion.x);
     assembly->rotate(rig.motion.x);
   }
 
   Rig rig;
+  Materials materials{rig.mesh.mesh(), {1e5, 0.4, 1100, 0, 0}};
   std::unique_ptr<Assembly> assembly;
 };
 

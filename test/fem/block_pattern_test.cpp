@@ -46,7 +46,8 @@ TEST(BlockPattern, EditedAfterCutsIsTheOneBuiltAnew) {
   for (int scene = 0; scene < 40; ++scene) {
     CutMesh mesh(block({4, 3, 2}, Vec3::Ones()));
     const std::vector<Vec3> x = restPositions(mesh);
-    Assembly assembly(mesh, {}, Mass::LUMPED, scene % 2 ? Pressure::AVERAGED : Pressure::ELEMENT, true, 2);
+    const Materials materials(mesh.mesh(), {});
+    Assembly assembly(mesh, materials, Mass::LUMPED, scene % 2 ? Pressure::AVERAGED : Pressure::ELEMENT, true, 2);
     assembly.topologyChanged(x);
     BlockPattern edited;
     std::vector<int> touched;
@@ -76,7 +77,8 @@ TEST(BlockPattern, EditedAfterCutsIsTheOneBuiltAnew) {
 TEST(BlockPattern, TakesRowsOfAnyWidth) {
   constexpr int RIM = 66000;
   const CutMesh mesh(fanMesh(RIM));
-  Assembly assembly(mesh, {}, Mass::LUMPED, Pressure::ELEMENT, true, 1);
+  const Materials materials(mesh.mesh(), {});
+  Assembly assembly(mesh, materials, Mass::LUMPED, Pressure::ELEMENT, true, 1);
   assembly.topologyChanged(restPositions(mesh));
   BlockPattern pattern;
   findPattern(assembly, allCopies(mesh), &pattern);
@@ -87,13 +89,13 @@ TEST(BlockPattern, TakesRowsOfAnyWidth) {
 
 TEST(Assembly, EditedAfterCutsIsTheOneBuiltAnew) {
   Rig rig(block({4, 3, 2}, Vec3::Ones()), {});
-  Assembly edited(rig.mesh, {}, Mass::CONSISTENT, Pressure::ELEMENT, true, 2);
+  Assembly edited(rig.mesh, rig.materials, Mass::CONSISTENT, Pressure::ELEMENT, true, 2);
   edited.topologyChanged(rig.motion.x);
   for (int k = 0; k < 5; ++k) {
     const Insertion done = rig.cut(plane(Vec3(0.2 * k + 0.13, 0.4, 0.5), Vec3(1, 0.3 * k, 0.2 - 0.1 * k)));
     ASSERT_TRUE(done.changed());
     edited.topologyChanged(rig.motion.x, done.touched);
-    Assembly anew(rig.mesh, {}, Mass::CONSISTENT, Pressure::ELEMENT, true, 1);
+    Assembly anew(rig.mesh, rig.materials, Mass::CONSISTENT, Pressure::ELEMENT, true, 1);
     anew.topologyChanged(rig.motion.x);
     ASSERT_EQ(edited.corners().count(), anew.corners().count());
     for (int c = 0; c < anew.corners().count(); ++c) {

@@ -23,7 +23,7 @@ std::vector<int> sizesOf(const std::vector<int>& set_of) {
   return sizes;
 }
 
-// The same sets, however they are numbered.
+// Expects equal sets, however they are numbered.
 void expectSameSets(const Patches& a, const Patches& b, int parts) {
   std::map<int, int> match;
   std::set<int> taken;
@@ -99,7 +99,8 @@ TEST(Patches, EditedAfterCutsAreTheOnesMadeAnew) {
 TEST(AveragedPressure, TheMatrixIsTheSlopeOfTheForces) {
   test::Random random(94);
   test::DeformedMesh cut = cutBox(&random);
-  Assembly assembly(cut.mesh, TISSUE, Mass::LUMPED, Pressure::AVERAGED, true, 2);
+  const Materials materials(cut.mesh.mesh(), TISSUE);
+  Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::AVERAGED, true, 2);
   assembly.topologyChanged(cut.x);
   cut.shake(0.1, &random);
   assembly.rotate(cut.x);
@@ -122,7 +123,8 @@ TEST(AveragedPressure, TheMatrixIsTheSlopeOfTheForces) {
 TEST(AveragedPressure, ForcesAreTheSlopeOfTheEnergy) {
   test::Random random(95);
   test::DeformedMesh cut = cutBox(&random);
-  Assembly assembly(cut.mesh, TISSUE, Mass::LUMPED, Pressure::AVERAGED, false, 1);
+  const Materials materials(cut.mesh.mesh(), TISSUE);
+  Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::AVERAGED, false, 1);
   assembly.topologyChanged(cut.x);
   cut.shake(0.1, &random);
   std::vector<Vec3> ahead = cut.x, behind = cut.x, forces;
@@ -141,7 +143,8 @@ TEST(AveragedPressure, ForcesAreTheSlopeOfTheEnergy) {
 TEST(AveragedPressure, StressesOfAllAreThoseOfEach) {
   test::Random random(96);
   test::DeformedMesh cut = cutBox(&random);
-  Assembly assembly(cut.mesh, TISSUE, Mass::LUMPED, Pressure::AVERAGED, true, 2);
+  const Materials materials(cut.mesh.mesh(), TISSUE);
+  Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::AVERAGED, true, 2);
   assembly.topologyChanged(cut.x);
   cut.shake(0.05, &random);
   assembly.rotate(cut.x);

@@ -27,10 +27,7 @@ FractureSettings cohesive() {
 /// A bar that a crack has gone through, whose halves a test moves apart.
 class BrokenBar : public Rig {
  public:
-  BrokenBar()
-      : Rig(block({4, 2, 2}, Vec3(1, 0.25, 0.25)), RigSettings()),
-        materials(mesh.mesh(), material()),
-        cohesion(cohesive(), materials) {
+  BrokenBar() : Rig(block({4, 2, 2}, Vec3(1, 0.25, 0.25)), settings()), cohesion(cohesive(), materials) {
     cohesion.add(cut(plane(Vec3(0.47, 0, 0), Vec3::UnitX())), mesh, motion.x);
     cohesion.changed(mesh);
     int count = 0;
@@ -61,14 +58,13 @@ class BrokenBar : public Rig {
   /// Begins a step; returns whether any bond may act in it.
   bool begin() { return cohesion.begin({{TIME_STEP}, mesh, piece, motion}); }
 
-  Materials materials;
   Cohesion cohesion;
 
  private:
-  static Material material() {
-    Material material;
-    material.young_modulus = YOUNG;
-    return material;
+  static RigSettings settings() {
+    RigSettings settings;
+    settings.material.young_modulus = YOUNG;
+    return settings;
   }
   bool onPositiveSide(int copy) const { return piece[copy] != piece[mesh.ownCopy(0)]; }
   std::vector<int> piece;

@@ -31,7 +31,8 @@ class Grouping : public ::testing::TestWithParam<Body> {
     for (const PlaneCut& cut : GetParam().cuts)
       EXPECT_TRUE(mesh.insert(planeField(cut, mesh, restPositions(mesh))).changed());
     for (int c = 0; c < mesh.numCopies(); ++c) held.push_back(mesh.mesh().nodes[mesh.copyNode(c)].z() == 0);
-    Assembly assembly(mesh, {}, Mass::LUMPED, Pressure::ELEMENT, true, 1);
+    const Materials materials(mesh.mesh(), {});
+    Assembly assembly(mesh, materials, Mass::LUMPED, Pressure::ELEMENT, true, 1);
     assembly.topologyChanged(restPositions(mesh));
     order = orderNodes(mesh.mesh(), leafSize(static_cast<int>(mesh.mesh().nodes.size())));
     findPattern(assembly, orderCopies(mesh, order, held), &pattern);

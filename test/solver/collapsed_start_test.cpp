@@ -22,7 +22,8 @@ TEST_P(CollapsedStart, StepsStayFiniteAndKeepTheMomentum) {
       const Material tissue = {1e4, 0.4, 1000, 0, 1e-3};
       BoundaryConditions conditions;
       conditions.gravity = Vec3(0, 0, -9.81);
-      ImplicitStep step(body.mesh, tissue, Mass::LUMPED, Pressure::ELEMENT, warping, conditions, settings);
+      const Materials materials(body.mesh.mesh(), tissue);
+      ImplicitStep step(body.mesh, materials, Mass::LUMPED, Pressure::ELEMENT, warping, conditions, settings);
       Motion motion = {body.x, std::vector<Vec3>(body.x.size(), Vec3::Zero())};
       for (Vec3& x : motion.x) x = x.cwiseProduct(GetParam());
       step.topologyChanged(motion);

@@ -92,8 +92,8 @@ class Rig {
  public:
   Rig(TetMesh rest, const RigSettings& settings)
       : mesh(std::move(rest)),
-        step(mesh, settings.material, settings.mass, settings.pressure, settings.warping, settings.conditions,
-             settings.solver),
+        materials(mesh.mesh(), settings.material),
+        step(mesh, materials, settings.mass, settings.pressure, settings.warping, settings.conditions, settings.solver),
         time_step(settings.solver.time_step) {
     motion.x = restPositions(mesh);
     motion.v.assign(motion.x.size(), Vec3::Zero());
@@ -159,6 +159,7 @@ class Rig {
   double energy() const { return kineticEnergy() + step.assembly().elasticEnergy(motion.x); }
 
   CutMesh mesh;
+  Materials materials;
   ImplicitStep step;
   Motion motion;
   double time = 0, time_step;

@@ -25,7 +25,6 @@ struct ToolRig : Rig {
   ToolRig(TetMesh rest, const RigSettings& settings, const ContactSettings& touching, const std::string& urdf,
           double friction, const Edge& edge = FAR_EDGE)
       : Rig(std::move(rest), settings),
-        materials(mesh.mesh(), settings.material),
         surface(mesh),
         skin(surface, materials, 1),
         obstacles(loadObstacles(touching, "", "")),
@@ -58,7 +57,6 @@ struct ToolRig : Rig {
 
   const Wrench& onTool() const { return tool.felt; }
 
-  Materials materials;
   CurrentSurface surface;
   ContactSkin skin;
   Obstacles obstacles;

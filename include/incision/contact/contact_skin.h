@@ -10,7 +10,7 @@ namespace incision {
 /// The body's surface as all its contacts share it, with its vertices where they are when a step starts.
 class ContactSkin {
  public:
-  /// `surface` must outlive this.
+  /// `surface` and `materials` must outlive this.
   ContactSkin(const CurrentSurface& surface, const Materials& materials, int threads)
       : current_(surface), materials_(materials), threads_(threads) {}
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/fem/materials.h"
 #include "incision/solver/spring.h"
 #include "incision/surface/surface.h"
 
@@ -19,10 +20,11 @@ struct ContactSurface {
   };
 
   const Surface* surface = nullptr;
-  std::vector<Vec3> rest;       ///< of each vertex [m]
-  std::vector<double> size;     ///< of the elements round each vertex, the mean of ∛(6 V_e) [m]: a grid's cell
-  std::vector<double> area;     ///< of each vertex: a third of its triangles' at rest [m²]
-  std::vector<Sample> samples;  ///< by vertex
+  std::vector<Vec3> rest;             ///< of each vertex [m]
+  std::vector<double> size;           ///< of the elements round each vertex, the mean of their sizes [m]
+  std::vector<double> young_modulus;  ///< of the stiffest element round each vertex [Pa]
+  std::vector<double> area;           ///< of each vertex: a third of its triangles' at rest [m²]
+  std::vector<Sample> samples;        ///< by vertex
   std::vector<int> sample_start;  ///< those of vertex v are samples[sample_start[v]] … samples[sample_start[v + 1] − 1]
   std::vector<int> around;        ///< triangles
   std::vector<int> piece;         ///< of each triangle
@@ -30,12 +32,12 @@ struct ContactSurface {
   /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place has: what is
   /// left to open of a slit near its end. 1 where there is no other.
   std::vector<double> own;
-  double mean_size = 0;      ///< of the vertices [m]
-  double young_modulus = 0;  ///< of the material [Pa]
+  double mean_size = 0;  ///< of the vertices [m]
 };
 
 /// `surface` must outlive the result; `piece` of each copy.
-ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const std::vector<int>& piece);
+ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const Materials& materials,
+                                  const std::vector<int>& piece);
 
 /// Adds `sign` times the position of a vertex to what a spring acts on.
 void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring);

@@ -23,7 +23,7 @@ class FragmentFinder {
   ///
   /// What lay behind a triangle of its own piece at rest has material in between, and is none.
   void find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step,
-            double stiffness, int threads, std::vector<Candidate>* candidates);
+            int threads, std::vector<Candidate>* candidates);
 
  private:
   /// A sample and the triangle before it, nearest by |gap|.
@@ -49,7 +49,7 @@ class FragmentFinder {
   Pair placed(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair) const;
   static Spring between(const ContactSurface& surface, const Pair& pair);
   int twinOf(const ContactSurface& surface, const Pair& pair) const;
-  Candidate candidate(const ContactSurface& surface, const Pair& pair, double share, double stiffness) const;
+  Candidate candidate(const ContactSurface& surface, const Pair& pair, double share) const;
   Cell cellOf(const Vec3& point) const;
   int slotOf(const Cell& cell) const;
 

@@ -7,7 +7,7 @@
 #include "incision/cut/cut_mesh.h"
 #include "incision/fem/linear_tet.h"
 #include "incision/fem/mass.h"
-#include "incision/fem/material.h"
+#include "incision/fem/materials.h"
 #include "incision/fem/patches.h"
 #include "incision/fem/pressure.h"
 
@@ -21,8 +21,8 @@ struct Corner {
 /// Forces and masses of all parts, over the copies. `topologyChanged` must be called before use and after every cut.
 class Assembly {
  public:
-  /// `mesh` must outlive this. With `warping` false every rotation is the identity.
-  Assembly(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping, int threads);
+  /// `mesh` and `materials` must outlive this. With `warping` false every rotation is the identity.
+  Assembly(const CutMesh& mesh, const Materials& materials, Mass mass, Pressure pressure, bool warping, int threads);
 
   /// Takes over the mesh's parts and copies, of which those round the nodes `touched` have changed; the first call
   /// takes all. New parts get their rotation from the positions `x` [m].
@@ -50,7 +50,7 @@ class Assembly {
   void stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const;
 
   const CutMesh& mesh() const { return mesh_; }
-  const Material& material() const { return material_; }
+  const Materials& materials() const { return materials_; }
   bool warping() const { return warping_; }
   bool consistentMass() const { return mass_ == Mass::CONSISTENT; }
   int threads() const { return threads_; }
@@ -81,13 +81,14 @@ class Assembly {
   template <typename Rotation>
   void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
   Mat3 stressOf(int part, const Mat3& RtF) const;
+  const Material& materialOf(int part) const { return materials_.of(mesh_.parts()[part].element); }
   template <typename Function>
   void gather(const Function& atCorner, std::vector<Vec3>* result) const;
   void findCorners(const std::vector<char>& touched);
   void sumCorners(int copy);
 
   const CutMesh& mesh_;
-  Material material_;
+  const Materials& materials_;
   Mass mass_;
   bool warping_;
   int threads_;

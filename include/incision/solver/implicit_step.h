@@ -27,7 +27,7 @@ struct StepTimes {
 class ImplicitStep {
  public:
   /// `make_solver` makes the linear solvers; left out, they are those that the settings ask for.
-  ImplicitStep(const CutMesh& mesh, const Material& material, Mass mass, Pressure pressure, bool warping,
+  ImplicitStep(const CutMesh& mesh, const Materials& materials, Mass mass, Pressure pressure, bool warping,
                const BoundaryConditions& conditions, const SolverSettings& settings,
                MakeLinearSolver make_solver = makeLinearSolver);
 

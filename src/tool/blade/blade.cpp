@@ -27,6 +27,7 @@ Blade::Blade(const ToolSettings& settings, const Edge& edge, const Materials& ma
              std::unique_ptr<ToolContact> touching)
     : Tool(settings, std::move(touching)),
       edge_(edge),
+      materials_(materials),
       ties_(materials, settings.progressive),
       cutting_(settings, edge, &tool_.in_step, ties_, stroke_, materials, mesh) {}
 
@@ -70,7 +71,7 @@ void Blade::sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door) {
   const auto start = Clock::now();
   CutResult& result = strokes_.under_way;
   try {
-    const Insertion done = stroke_.sweep(to, x, door, &ties_);
+    const Insertion done = stroke_.sweep(to, x, materials_, door, &ties_);
     if (done.changed()) {
       result.status = CutStatus::APPLIED;
       result.cracks = stroke_.cracks();

@@ -58,13 +58,14 @@ bool liesInFace(const std::vector<Barycentric>& polygon) {
 }
 
 /// Whether a section of a part lies in a cut that was there before, so that the blade runs in that one.
-bool runsInSlit(const CutMesh& mesh, int p, const std::vector<Barycentric>& section, int growing) {
+bool runsInSlit(const CutMesh& mesh, const Materials& materials, int p, const std::vector<Barycentric>& section,
+                int growing) {
   const int element = mesh.parts()[p].element;
   const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
   CutSought sought;
   sought.point = resting(polygonCentroid(section));
   sought.normal = vectorArea(section, resting);
-  sought.distance = SLIT_REACH * std::cbrt(6 * elementVolume(mesh.mesh(), element));
+  sought.distance = SLIT_REACH * materials.size(element);
   sought.cosine = SLIT_COSINE;
   sought.growing = growing;
   return isCutHere(mesh, p, sought);
@@ -87,7 +88,8 @@ void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
   memory_.last_x = x;
 }
 
-Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door, Ties* ties) {
+Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
+                        Ties* ties) {
   const CutMesh* mesh = &door->mesh();
   for (int c = static_cast<int>(memory_.last_x.size()); c < mesh->numCopies(); ++c)
     memory_.last_x.push_back(memory_.last_x[mesh->copyParent(c)]);
@@ -108,7 +110,7 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* do
   CrackField crack = field(*mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
     return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
-           (liesInFace(polygon) || !runsInSlit(*mesh, part, polygon, memory_.crack));
+           (liesInFace(polygon) || !runsInSlit(*mesh, materials, part, polygon, memory_.crack));
   };
   const int before = mesh->numCopies();
   const Insertion done = door->insert(crack);

@@ -49,6 +49,7 @@ class Blade : public Tool {
   void sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door);
 
   Edge edge_;
+  const Materials& materials_;
   Ties ties_;
   Stroke stroke_;
   CuttingEdge cutting_;

@@ -24,7 +24,7 @@ class Stroke {
   /// Adds what the edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
   /// whose section the sweep so far has entered; without progressive ties those whose section's centroid it covers.
   /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.
-  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door, Ties* ties);
+  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
 
   /// Whether the stroke has met any part of the body.
   bool begun() const { return memory_.begun; }
