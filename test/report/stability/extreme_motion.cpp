@@ -1,8 +1,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "incision/contact/contact.h"
+#include "incision/contact/body_contact.h"
 #include "stability.h"
+#include "support/given_springs.h"
 #include "support/random.h"
 #include "watched.h"
 
@@ -123,24 +124,23 @@ struct Impact {
     for (Vec3& v : body.motion.v) v = Vec3(0, 0, -50);
     ContactSettings ground;
     ground.ground = 0;
-    Contact contact(ground, loadObstacles(ground, "", ""), young_modulus, 1);
-    const Surface surface = buildSurface(body.mesh);
-    contact.surfaceChanged(surface, body.mesh, body.step.pieceOf());
-    const Couple couple = [&](double time_step, const std::vector<Vec3>& v, std::vector<Spring>* springs) {
-      springs->clear();
-      return contact.update(time_step, v, springs);
-    };
+    const CurrentSurface surface(body.mesh);
+    ContactSkin skin(surface, body.materials, 1);
+    const Obstacles obstacles = loadObstacles(ground, "", "");
+    const std::vector<RigidMotion> none;
+    BodyContact contact(ground, obstacles, none, &skin);
+    Couplers couplers({&contact});
+    couplers.changed(body.mesh);
     const double first = body.energy();
-    for (bool good = true; body.time < duration && good; body.time += dt) {
-      contact.begin(body.motion, dt, {});
-      good = body.step.advance(body.time, dt, &body.motion, couple) && allFinite(body.motion);
+    for (bool good = true; body.time < duration && good;) {
+      good = advanceWith(&body, &couplers) && allFinite(body.motion);
       failed += !good;
-      const ContactReport report = contact.accept(dt, body.motion.v);
+      const ContactReport& report = contact.report();
       depth.add(report.deepest / cell);
       rise.add(std::max(0.0, (body.energy() + report.energy) / first - 1));
     }
     double lowest = 0;
-    for (const Vec3& x : surfacePositions(surface, body.motion.x)) lowest = std::min(lowest, x.z());
+    for (const Vec3& x : surfacePositions(surface.get(), body.motion.x)) lowest = std::min(lowest, x.z());
     below.add(-lowest / cell);
   }
 };
