@@ -167,7 +167,7 @@ void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& ro
   });
 }
 
-/// With averaged pressure, of the means found last.
+/// σ of a part in its unrotated frame. With averaged pressure it takes the mean dilatation that was found last.
 Mat3 Assembly::stressOf(int part, const Mat3& RtF) const {
   return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], material_)
                   : corotatedStress(RtF, material_);
