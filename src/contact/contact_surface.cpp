@@ -28,9 +28,9 @@ double sharedWeight(const SurfaceVertex& a, const SurfaceVertex& b) {
   return shared;
 }
 
-/// ContactSurface::own of every vertex. Vertices at one place lie on the two sides of a cut, and are near each other
-/// when all vertices of cuts are sorted by the sum of their coordinates.
-std::vector<double> ownWeights(const ContactSurface& surface) {
+/// ContactSurface::unshared of every vertex. Vertices at one place lie on the two sides of a cut, and are near each
+/// other when all vertices of cuts are sorted by the sum of their coordinates.
+std::vector<double> unsharedWeights(const ContactSurface& surface) {
   std::vector<int> sorted;
   std::vector<char> is_cut(surface.rest.size(), false);
   for (std::size_t t = 0; t < surface.surface->triangles.size(); ++t) {
@@ -40,19 +40,19 @@ std::vector<double> ownWeights(const ContactSurface& surface) {
   }
   const auto at = [&](int v) { return surface.rest[v].sum(); };
   std::sort(sorted.begin(), sorted.end(), [&](int a, int b) { return at(a) < at(b); });
-  std::vector<double> own(surface.rest.size(), 1);
+  std::vector<double> unshared(surface.rest.size(), 1);
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const int a = sorted[i];
     const double near = SAME_PLACE * surface.size[a];
     for (std::size_t k = i + 1; k < sorted.size() && at(sorted[k]) - at(a) < 2 * near; ++k) {
       const int b = sorted[k];
       if ((surface.rest[a] - surface.rest[b]).norm() > near) continue;
-      const double unshared = 1 - sharedWeight(surface.surface->vertices[a], surface.surface->vertices[b]);
-      own[a] = std::min(own[a], unshared);
-      own[b] = std::min(own[b], unshared);
+      const double rest = 1 - sharedWeight(surface.surface->vertices[a], surface.surface->vertices[b]);
+      unshared[a] = std::min(unshared[a], rest);
+      unshared[b] = std::min(unshared[b], rest);
     }
   }
-  return own;
+  return unshared;
 }
 
 class Builder {
@@ -130,7 +130,7 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   for (const SurfaceVertex& vertex : surface.vertices) made.vertex_piece.push_back(piece[vertex.copies[0]]);
   for (const auto& triangle : surface.triangles) made.piece.push_back(made.vertex_piece[triangle[0]]);
   Builder(&made).run(mesh, materials);
-  made.own = ownWeights(made);
+  made.unshared = unsharedWeights(made);
   for (double size : made.size) made.mean_size += size / static_cast<double>(made.size.size());
   return made;
 }

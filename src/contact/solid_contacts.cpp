@@ -15,7 +15,7 @@ constexpr double LEAST_SIDE = 0.5;
 
 /// Least share of its weights that a vertex of a slit must have for itself to be pushed aside: with less the material
 /// at the slit's end keeps its two faces together, and copies would have to go ten times as far as the vertex.
-constexpr double LEAST_OWN = 0.1;
+constexpr double LEAST_UNSHARED = 0.1;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
@@ -83,7 +83,7 @@ std::optional<SolidDistance> keepOff(const ContactSurface& surface, const std::v
   const SolidDistance nearest = shape.solid->distanceTo(point);
   const double aside = DEEPEST_BEGIN * surface.size[vertex], width = shape.solid->thickness();
   if (nearest.distance > aside) return nearest;
-  if (surface.own[vertex] < LEAST_OWN) return std::nullopt;
+  if (surface.unshared[vertex] < LEAST_UNSHARED) return std::nullopt;
   Vec3 n;
   if (known_side) {
     n = -*known_side;

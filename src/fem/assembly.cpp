@@ -168,7 +168,7 @@ void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& ro
   });
 }
 
-/// With averaged pressure, of the means found last.
+/// σ of a part in its unrotated frame. With averaged pressure it takes the mean dilatation that was found last.
 Mat3 Assembly::stressOf(int part, const Mat3& RtF) const {
   const Material& material = materialOf(part);
   return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], material)

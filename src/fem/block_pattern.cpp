@@ -27,7 +27,7 @@ void forEachNeighbour(const Assembly& assembly, const std::vector<int>& row_of, 
     for (int other : patches->copies()[use.patch]) f(row_of[other]);
 }
 
-/// How often that calls f.
+/// How often forEachNeighbour calls f.
 int countNeighbours(const Assembly& assembly, int copy) {
   const Patches* patches = assembly.patches();
   if (!patches) return 4 * assembly.corners()[copy].size();

@@ -31,7 +31,7 @@ struct ContactSurface {
   std::vector<int> vertex_piece;  ///< of each vertex
   /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place has: what is
   /// left to open of a slit near its end. 1 where there is no other.
-  std::vector<double> own;
+  std::vector<double> unshared;
   double mean_size = 0;  ///< of the vertices [m]
 };
 

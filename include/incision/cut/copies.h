@@ -16,8 +16,8 @@ struct NodeComponents {
   int count = 0;
 };
 
-/// Finds them round the given nodes of a mesh that does not change meanwhile: parts are joined across the faces that
-/// contain the node, wherever they overlap by more than MIN_OVERLAP and no crack severs them.
+/// Finds the components round the given nodes of a mesh that does not change meanwhile: parts are joined across the
+/// faces that contain the node, wherever they overlap by more than MIN_OVERLAP and no crack severs them.
 class ComponentFinder {
  public:
   ComponentFinder(const CutMesh& mesh, const std::vector<int>& nodes);

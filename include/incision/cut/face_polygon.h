@@ -11,7 +11,7 @@ using FacePoint = Eigen::Vector3d;
 /// A convex polygon on a face, counter-clockwise for the order in which the face's nodes are listed.
 using FacePolygon = std::vector<FacePoint>;
 
-/// Its share of the face's area.
+/// Share of the face's area that a polygon covers.
 double faceShare(const FacePolygon& polygon);
 
 /// Centroid by area; with no area, the mean of the corners.

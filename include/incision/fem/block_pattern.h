@@ -36,7 +36,8 @@ struct BlockPattern {
 
 inline constexpr std::uint16_t NO_SLOT = 65535;
 
-/// What slots means for one of a row's corners and J, or −1 where corner J has no row.
+/// Which block of a row couples it to corner J of a part, counted from the row's first; −1 where corner J has no row.
+/// `corner` is the part's corner that the row is of.
 inline int slotOf(const Assembly& assembly, const BlockPattern& pattern, int row, const Corner& corner, int J) {
   const std::uint16_t slot = pattern.slots[16 * static_cast<std::size_t>(corner.part) + 4 * corner.node + J];
   if (slot != NO_SLOT) return slot;
@@ -44,7 +45,8 @@ inline int slotOf(const Assembly& assembly, const BlockPattern& pattern, int row
   return column < 0 ? -1 : pattern.slotIn(row, column);
 }
 
-/// What patch_slots means for copies i and j of a patch, of which i is that of the row; −1 where j has no row.
+/// Which block of a row couples it to copy j of a patch, counted from the row's first; −1 where copy j has no row. Copy
+/// i of the patch is the one that the row is of.
 inline int patchSlotOf(const Patches& patches, const BlockPattern& pattern, int row, int patch, int i, int j) {
   const std::uint16_t slot = pattern.patch_slots[patches.pairStart(patch) + i * patches.numCopies(patch) + j];
   if (slot != NO_SLOT) return slot;

@@ -16,7 +16,7 @@ class SkinDepth {
  public:
   SkinDepth(const TetMesh& mesh, const MeshTopology& topology);
 
-  /// Of a node [m]; 0 on the boundary.
+  /// Depth of a node [m]; 0 on the boundary.
   double at(int node);
 
  private:

@@ -20,7 +20,7 @@ class CoarseSpace {
   /// Takes the modes at the positions `x` [m] and the coarse matrix of the scaled float blocks.
   void matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads);
 
-  /// Adds the springs to that in place of the last ones, and factorises it.
+  /// Adds the springs to the coarse matrix, in place of those before, and factorises it.
   void springsChanged(const CoupledRows& springs, int threads);
 
   /// Coarse right-hand side of one aggregate from the residual of its rows.

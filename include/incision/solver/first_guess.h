@@ -11,7 +11,7 @@ namespace incision {
 /// parabola in time.
 inline constexpr int BASIS_SIZE = 3;
 
-/// They themselves, by copy.
+/// The vectors that a first guess is made of, by copy.
 using Basis = std::array<std::vector<Vec3>, BASIS_SIZE>;
 
 using BasisMatrix = Eigen::Matrix<double, BASIS_SIZE, BASIS_SIZE>;
