@@ -138,5 +138,15 @@ TEST(Spring, IsUpdatedAfterEachSolve) {
   EXPECT_EQ(largestDifference(v_last, rig.motion.v), 0);
 }
 
+#ifndef NDEBUG
+TEST(SpringDeathTest, HasRoomForEightCopiesAndNoMore) {
+  Spring spring;
+  for (int copy = 0; copy < 8; ++copy) spring.add(copy, 1);
+  spring.add(3, 1);
+  EXPECT_EQ(spring.count, 8);
+  EXPECT_DEATH(spring.add(8, 1), "");
+}
+#endif
+
 }  // namespace
 }  // namespace incision
