@@ -94,7 +94,9 @@ TEST(Readme, GivesTheRangesOfNumbers) {
     EXPECT_FALSE(good.empty()) << row.key << ": " << row.range;
     for (const std::string& value : good) EXPECT_EQ(complaint(row.key, value), "") << row.key;
     for (const std::string& value : bad) EXPECT_NE(complaint(row.key, value), "") << row.key << " " << value;
-    if (std::regex_search(range, std::regex(R"(\.inf)"))) EXPECT_EQ(complaint(row.key, ".inf"), "") << row.key;
+    if (std::regex_search(range, std::regex(R"(\.inf)"))) {
+      EXPECT_EQ(complaint(row.key, ".inf"), "") << row.key;
+    }
     ++checked;
   }
   EXPECT_GT(checked, 20);
