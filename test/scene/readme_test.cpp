@@ -95,7 +95,8 @@ TEST(Readme, GivesTheRangesOfNumbers) {
     for (const std::string& value : good) EXPECT_EQ(complaint(row.key, value), "") << row.key;
     for (const std::string& value : bad) EXPECT_NE(complaint(row.key, value), "") << row.key << " " << value;
     if (std::regex_search(range, std::regex(R"(\.inf)"))) {
-      EXPECT_EQ(complaint(row.key, ".inf"), "") << row.key;
+      // Another section may still need a number there, and then says so without a range.
+      EXPECT_EQ(complaint(row.key, ".inf").find("allowed"), std::string::npos) << row.key;
     }
     ++checked;
   }
