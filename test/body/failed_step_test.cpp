@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -105,26 +106,32 @@ struct Told {
 
 class FailedStep : public ::testing::TestWithParam<Method> {};
 
+// What rubs is chaotic, and a solver that has been asked before may round otherwise. So each run fails in one step, and
+// is compared right after it; where a decision of contact hangs on rounding, it may fall otherwise in a few.
 TEST_P(FailedStep, LeavesTheBodyAsIfItHadNotBeenTried) {
   const Scene scene = everythingAtOnce(GetParam());
-  Fallible failing(scene), twin(scene);
-  Told told, expected;
-  // No longer: rounding grows in pieces that rub, and what a solver does faster the second time differs by rounding.
-  for (int k = 0; k < 15; ++k) {
-    if (k % 3 == 0) {
-      failing.failOnce(WHOLE_AND_HALF);
+  std::vector<double> differences;  // [m], of a plate of 1 m
+  for (int failed = 1; failed < 15; failed += 2) {
+    Fallible failing(scene), twin(scene);
+    Told told, expected;
+    for (int k = 0; k <= failed; ++k) {
+      if (k == failed) failing.failOnce(WHOLE_AND_HALF);
       told.add(failing.body.takeReports());
+      told.add(failing.body.step());
+      expected.add(twin.body.step());
     }
-    told.add(failing.body.step());
-    expected.add(twin.body.step());
-    const double most = GetParam() == Method::DIRECT ? 1e-6 : 1e-4;  // of a plate of 1 m; solves end at a tolerance
-    ASSERT_EQ(failing.body.counts().copies, twin.body.counts().copies) << k;
-    EXPECT_LT(largestDifference(failing.body.positions(), twin.body.positions()), most) << k;
+    EXPECT_EQ(told.cuts, expected.cuts) << failed;
+    EXPECT_EQ(told.cracks, expected.cracks) << failed;
+    ASSERT_EQ(failing.body.counts().copies, twin.body.counts().copies) << failed;
+    differences.push_back(largestDifference(failing.body.positions(), twin.body.positions()));
+    if (failed == 13) {
+      EXPECT_GT(expected.cracks, 0);
+      EXPECT_EQ(expected.cuts, 1);
+    }
   }
-  EXPECT_GT(expected.cracks, 0);
-  EXPECT_EQ(expected.cuts, 1);
-  EXPECT_EQ(told.cuts, expected.cuts);
-  EXPECT_EQ(told.cracks, expected.cracks);
+  std::sort(differences.begin(), differences.end());
+  EXPECT_LT(differences[differences.size() / 2], GetParam() == Method::DIRECT ? 1e-9 : 1e-6);
+  EXPECT_LT(differences.back(), 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, FailedStep, ::testing::Values(Method::DIRECT, Method::ITERATIVE));
