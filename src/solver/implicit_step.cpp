@@ -204,24 +204,25 @@ bool ImplicitStep::updateSprings(const Motion& motion, Couplers* couplers) {
   return couplers->update(v_end_);
 }
 
-/// Joins the groups of pieces that a spring lies between; returns whether that changed any. Groups only
-/// grow until the topology changes: pieces that lie on each other often come and go, and a solver takes time to turn.
+/// Joins the groups of pieces that a spring lies between; returns whether that changed any. Groups only grow until the
+/// topology changes: pieces that lie on each other often come and go, and a solver takes time to turn.
 bool ImplicitStep::joinGroups() {
+  if (springs().empty()) return false;
+  group_sets_.reset(pieces_);
   bool joined = false;
   for (const Spring& spring : springs()) {
-    int group = -1;
+    int last = -1;  // the group of the free copy before; −1: there was none
     for (int i = 0; i < spring.count; ++i) {
       if (held_[spring.copies[i]] >= 0) continue;
-      const int other = memory_.group[spring.copies[i]];
-      if (group >= 0 && other != group) {
-        if (group_at_start_.empty()) group_at_start_ = memory_.group;
-        std::replace(memory_.group.begin(), memory_.group.end(), std::max(group, other), std::min(group, other));
-        joined = true;
-      }
-      group = group < 0 ? other : std::min(group, other);
+      const int group = memory_.group[spring.copies[i]];
+      if (last >= 0 && group_sets_.join(last, group)) joined = true;
+      last = group;
     }
   }
-  return joined;
+  if (!joined) return false;
+  if (group_at_start_.empty()) group_at_start_ = memory_.group;
+  for (int& group : memory_.group) group = group_sets_.lowest(group);
+  return true;
 }
 
 /// Takes Δv into the differences: D_0 = Δv, D_k = D_{k−1} − its value a step ago.

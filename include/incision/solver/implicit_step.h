@@ -102,6 +102,7 @@ class ImplicitStep {
   Basis again_basis_;                // of the first guess for another solve in one step
   int fallback_steps_at_start_ = 0;  // of the step, in case it fails
   std::vector<int> group_at_start_;  // likewise; empty: they are as they were
+  DisjointSets group_sets_;          // of the groups that springs join
   std::vector<Vec3> dv_, external_, y_, inertia_, v_end_;
   std::vector<Vec3> search_start_, search_direction_, search_residual_;  // of the line search, in terms of Δv
   std::vector<Wrench> felt_, felt_at_start_;                             // at Δv, and where the line search starts
