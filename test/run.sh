@@ -58,7 +58,7 @@ prepare_node() {
   prepare "$BUILD" "$1" -DCATKIN_ENABLE_TESTING=ON
 }
 
-# prepare_core NAME TARGETS [-DOPTION=VALUE]...: a build without ROS by clang, which brings the sanitizers that are needed.
+# prepare_core NAME TARGETS [-DOPTION=VALUE]...: a build without ROS by clang, which brings the fuzzers.
 prepare_core() {
   prepare "$BUILD/$1" "$2" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1" \
     -DINCISION_ROS=OFF "${@:3}"

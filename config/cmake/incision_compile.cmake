@@ -37,8 +37,8 @@ function(incision_compile target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:incision_flags>)
 endfunction()
 
-# Headers of others that nearly every file of ours includes: read once, they save a third of the time it takes to compile.
-# ccache keeps no results of what is compiled so.
+# Headers of others that nearly every file of ours includes: read once, they save up to a third of the time that
+# compiling takes. ccache keeps no results of what is compiled so.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()

@@ -1,5 +1,6 @@
-# The core's parallel parts under the thread sanitizer: the parallel loop alone, and scenes on four threads that together
-# go through assembly, both solvers, cuts, contact, fracture and a tool. The target `thread_tests` builds what they need.
+# The core's parallel parts under the thread sanitizer: the parallel loop alone, and scenes on four threads that
+# together go through assembly, both solvers, cuts, contact, fracture and a tool. The target `thread_tests` builds what
+# they need.
 add_custom_target(thread_tests DEPENDS incision_base_tests incision_batch)
 
 function(incision_thread_test name)
