@@ -5,8 +5,7 @@ add_custom_target(thread_tests DEPENDS incision_base_tests incision_batch)
 
 function(incision_thread_test name)
   add_test(NAME threads.${name} COMMAND ${ARGN})
-  set_tests_properties(threads.${name} PROPERTIES LABELS threads TIMEOUT 300
-    ENVIRONMENT "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/test/base/thread_sanitizer.supp")
+  set_tests_properties(threads.${name} PROPERTIES LABELS threads TIMEOUT 300)
 endfunction()
 
 function(incision_thread_scene name scene steps)
