@@ -108,13 +108,14 @@ void DeformableBody::State::recallStep(const StepMemory& memory) {
 }
 
 BodyMemory DeformableBody::State::keep() const {
-  BodyMemory memory{steps, cuts_done, fractured_steps, mesh.keep(), {}, obstacle_motions.inStep(), keepStep()};
+  BodyMemory memory{steps, unsettled_steps, cuts_done, fractured_steps, mesh.keep(), {}, obstacle_motions.inStep(), keepStep()};
   if (growth) memory.growth = growth->memory();
   return memory;
 }
 
 void DeformableBody::State::recall(const BodyMemory& memory) {
   steps = memory.steps;
+  unsettled_steps = memory.unsettled_steps;
   cuts_done = memory.cuts_done;
   fractured_steps = memory.fractured_steps;
   obstacle_motions.recall(memory.obstacles);

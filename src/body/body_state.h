@@ -32,7 +32,7 @@ struct StepMemory {
 
 /// What of a body outlasts a step.
 struct BodyMemory {
-  std::int64_t steps = 0;
+  std::int64_t steps = 0, unsettled_steps = 0;
   std::size_t cuts_done = 0;
   std::int64_t fractured_steps = 0;
   CutMesh::Memory mesh;
@@ -80,7 +80,7 @@ struct DeformableBody::State {
   ImplicitStep step;
   BackwardDifference last_steps;  // for steps of second order
   Motion motion;
-  std::int64_t steps = 0;
+  std::int64_t steps = 0, unsettled_steps = 0;
   std::size_t cuts_done = 0;         // of the scene's
   std::int64_t fractured_steps = 0;  // for which cracks have grown: a step that is tried again grows none
   CurrentSurface surface;

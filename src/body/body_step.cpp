@@ -31,18 +31,23 @@ void DeformableBody::State::fracture() {
 /// One step, or a part of one. Returns false with nothing changed.
 bool DeformableBody::State::advance(const StepSpan& span, double time) {
   const auto beginning = Clock::now();
-  const bool coupled = couplers.begin({span, mesh, step.pieceOf(), motion});
+  const bool coupled =
+      !couplers.areNone() &&
+      couplers.begin({span, mesh, step.pieceOf(), motion, step.begin(span.time_step, motion), step.inertia(), step.pieceMass()});
   couplers_ms = 1e3 * secondsSince(beginning);
   if (!coupled) return advanceFreely(time, span.time_step);
-  if (!step.advance(time, span.time_step, &motion, &couplers)) return false;
+  if (!step.advance(time, &motion, &couplers)) return false;
   last_steps.forget();
-  couplers.accept(motion, step.felt());
+  couplers.accept(step.moved(), motion, step.felt());
   return true;
 }
 
 /// One step in which no coupler acts.
 bool DeformableBody::State::advanceFreely(double time, double time_step) {
-  if (scene.solver.integrator == Integrator::EULER) return step.advance(time, time_step, &motion);
+  if (scene.solver.integrator == Integrator::EULER) {
+    if (couplers.areNone()) step.begin(time_step, motion);
+    return step.advance(time, &motion);
+  }
   return last_steps.advance(time, time_step, &step, &motion);
 }
 

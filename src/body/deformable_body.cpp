@@ -63,6 +63,7 @@ StepResult DeformableBody::step() {
                      " s failed, also in two halves: the system is not positive definite or a value is not finite");
   }
   ++s.steps;
+  if (!s.step.stats().settled) ++s.unsettled_steps;
   if (s.growth) s.growth->stepTaken();
   s.obstacle_motions.endStep();
   const auto cutting = Clock::now();
@@ -81,6 +82,8 @@ void DeformableBody::State::fillResult(StepResult* result) {
   for (const auto& tool : tools) result->tools.push_back(tool->report());
   result->iterations = step.stats().iterations;
   result->residual = step.stats().residual;
+  result->solves = step.stats().solves;
+  result->settled = step.stats().settled;
   result->phase_ms.contact = couplers_ms;
   result->phase_ms.assembly = step.times().assembly;
   result->phase_ms.solve = step.times().solve;
@@ -124,6 +127,7 @@ void DeformableBody::reset() { state_->recall(state_->at_start); }
 const Scene& DeformableBody::scene() const { return state_->scene; }
 const CutMesh& DeformableBody::mesh() const { return state_->mesh; }
 std::int64_t DeformableBody::steps() const { return state_->steps; }
+std::int64_t DeformableBody::unsettledSteps() const { return state_->unsettled_steps; }
 double DeformableBody::time() const { return state_->time(); }
 const std::vector<Vec3>& DeformableBody::positions() const { return state_->motion.x; }
 const std::vector<Vec3>& DeformableBody::velocities() const { return state_->motion.v; }
@@ -159,6 +163,7 @@ BodyMotion DeformableBody::motion() const {
     motion.mass += assembly.masses()[c];
     motion.momentum += Mv[c];
     motion.kinetic_energy += 0.5 * s.motion.v[c].dot(Mv[c]);
+    motion.potential_energy -= assembly.masses()[c] * s.scene.gravity.dot(s.motion.x[c]);
   }
   motion.max_displacement = largestDisplacement(s.mesh, s.motion.x);
   motion.elastic_energy = assembly.elasticEnergy(s.motion.x);

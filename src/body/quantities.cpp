@@ -20,9 +20,13 @@ std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult&
           {"momentum", motion.momentum},
           {"kinetic_energy", motion.kinetic_energy},
           {"elastic_energy", motion.elastic_energy},
+          {"potential_energy", motion.potential_energy},
+          {"contact_energy", last_step.contact.energy},
           {"max_displacement", motion.max_displacement},
           count("iterations", last_step.iterations),
-          {"residual", last_step.residual}};
+          {"residual", last_step.residual},
+          count("solves", last_step.solves),
+          count("unsettled_steps", body.unsettledSteps())};
 }
 
 }  // namespace incision

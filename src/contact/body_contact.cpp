@@ -12,7 +12,7 @@ void BodyContact::find(const ContactSkin& skin, const StepStart& start, const st
                        std::vector<Candidate>* candidates) {
   if (searched_version_ != skin.version()) fragments_.surfaceChanged();
   searched_version_ = skin.version();
-  if (self_) fragments_.find(skin.surface(), skin.x(), skin.v(), start.span.time_step, skin.threads(), candidates);
+  if (self_) fragments_.find(skin.surface(), skin.x(), skin.ahead(), skin.threads(), candidates);
   findSolidContacts(skin, start.span, {obstacles_, motions_}, touches, candidates);
 }
 

@@ -7,7 +7,7 @@ void ContactSkin::begin(const StepStart& start) {
     surface_ = makeContactSurface(current_.get(), start.mesh, materials_, start.piece);
   version_ = current_.version();
   interpolate(*surface_.surface, start.motion.x, threads_, &x_);
-  interpolate(*surface_.surface, start.motion.v, threads_, &v_);
+  interpolate(*surface_.surface, start.ahead, threads_, &ahead_);
 }
 
 }  // namespace incision

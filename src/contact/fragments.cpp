@@ -76,10 +76,10 @@ bool closesGap(const ContactSurface& surface, int triangle) {
 
 }  // namespace
 
-void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
-                          double time_step, int threads, std::vector<Candidate>* candidates) {
+void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
+                          int threads, std::vector<Candidate>* candidates) {
   measure(surface, x, threads);
-  if (!isFresh(x, v, time_step)) search(surface, x, v, time_step, threads);
+  if (!isFresh(x, ahead)) search(surface, x, ahead, threads);
   for (const Pair& pair : best_) {
     if (pair.triangle < 0) continue;
     const int twin = twinOf(surface, pair);
@@ -87,34 +87,34 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
     const Pair now = placed(surface, x, pair);
     const auto& [a, b, c] = surface.surface->triangles[now.triangle];
     const int vertex = surface.samples[now.sample].vertex;
-    const Vec3 velocity = v[vertex] - now.weights[0] * v[a] - now.weights[1] * v[b] - now.weights[2] * v[c];
-    if (now.gap + time_step * normals_[now.triangle].dot(velocity) < MARGIN * surface.size[vertex])
+    const Vec3 nearer = ahead[vertex] - now.weights[0] * ahead[a] - now.weights[1] * ahead[b] - now.weights[2] * ahead[c];
+    if (now.gap + normals_[now.triangle].dot(nearer) < MARGIN * surface.size[vertex])
       candidates->push_back(candidate(surface, now, twin < 0 ? 0.5 : 1));
   }
 }
 
 /// Whether the pairs found last still hold: no vertex has moved, or moves in this step, further than the search looked
 /// beyond its reach. What all vertices have moved alike does not count.
-bool FragmentFinder::isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step) const {
+bool FragmentFinder::isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead) const {
   if (searched_x_.size() != x.size()) return false;
-  const Vec3 shift = meanOf(x) - meanOf(searched_x_), velocity = meanOf(v);
+  const Vec3 shift = meanOf(x) - meanOf(searched_x_), mean_ahead = meanOf(ahead);
   double farthest = 0, fastest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     farthest = std::max(farthest, (x[i] - searched_x_[i] - shift).squaredNorm());
-    fastest = std::max(fastest, (v[i] - velocity).squaredNorm());
+    fastest = std::max(fastest, (ahead[i] - mean_ahead).squaredNorm());
   }
-  return std::sqrt(farthest) + time_step * std::sqrt(fastest) < skin_;
+  return std::sqrt(farthest) + std::sqrt(fastest) < skin_;
 }
 
-void FragmentFinder::search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v,
-                            double time_step, int threads) {
+void FragmentFinder::search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
+                            int threads) {
   searched_x_ = x;
   skin_ = SKIN * surface.mean_size;
   reach_ = MAX_DEPTH * surface.mean_size;
-  const Vec3 velocity = meanOf(v);
+  const Vec3 mean_ahead = meanOf(ahead);
   paths_.resize(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    paths_[i] = time_step * (v[i] - velocity);
+    paths_[i] = ahead[i] - mean_ahead;
     paths_[i] *= std::min(1.0, surface.mean_size / std::max(surface.mean_size, paths_[i].norm()));
   }
   fillGrid(surface, x);

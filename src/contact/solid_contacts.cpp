@@ -60,10 +60,13 @@ std::optional<Vec3> normalAt(const ContactSurface& surface, const std::vector<Ve
   return sum.normalized();
 }
 
-/// From the nearest point, but on the side on which the point was, if it was.
+/// From the nearest point, but on the side on which the point was, if it was; also where it has come out on the far side
+/// of something thin.
 SolidDistance distanceFrom(const Vec3* known_side, const Solid& solid, const Vec3& point) {
   const SolidDistance nearest = solid.distanceTo(point);
-  if (!known_side || nearest.distance >= 0 || nearest.normal.dot(*known_side) > 0) return nearest;
+  if (!known_side) return nearest;
+  const double facing = nearest.normal.dot(*known_side);
+  if (facing > 0 || (nearest.distance >= 0 && facing > -LEAST_OPPOSITION)) return nearest;
   return {known_side->dot(point) - solid.reachAlong(*known_side), *known_side};
 }
 
@@ -103,7 +106,7 @@ std::optional<SolidDistance> keepOff(const ContactSurface& surface, const std::v
 /// The candidate of a vertex against a shape, whose nearest point `nearest` tells, the vertex being at `local` in the
 /// shape's frame; none where the two cannot meet in the step.
 std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const MovingShape& shape, const Vec3& local,
-                                     const SolidDistance& nearest, double time_step) {
+                                     const SolidDistance& nearest) {
   const ContactSurface& surface = skin.surface();
   const Vec3 foot = local - nearest.distance * nearest.normal;
   if (givesWay(shape, foot)) return std::nullopt;
@@ -113,7 +116,7 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
   candidate.normal = shape.to.linear() * nearest.normal;
   candidate.gap = candidate.normal.dot(skin.x()[vertex] - shape.from * foot);
   candidate.drift = shape.to * foot - shape.from * foot;
-  const double closing = candidate.normal.dot(time_step * skin.v()[vertex] - candidate.drift);
+  const double closing = candidate.normal.dot(skin.ahead()[vertex] - candidate.drift);
   const double size = surface.size[vertex];
   if (!(candidate.gap + closing < MARGIN * size)) return std::nullopt;
   candidate.slip.setZero();
@@ -123,9 +126,9 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
   return candidate;
 }
 
-bool mayMeet(const ContactSkin& skin, int vertex, const MovingShape& shape, double time_step) {
+bool mayMeet(const ContactSkin& skin, int vertex, const MovingShape& shape) {
   const double room =
-      shape.reach + shape.moved + MARGIN * skin.surface().size[vertex] + time_step * skin.v()[vertex].norm();
+      shape.reach + shape.moved + MARGIN * skin.surface().size[vertex] + skin.ahead()[vertex].norm();
   return (skin.x()[vertex] - shape.from.translation()).squaredNorm() <= room * room && skin.surface().area[vertex] > 0;
 }
 
@@ -137,7 +140,7 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
   for (std::size_t o = 0; o < solids.solids.shapes.size(); ++o) {
     const MovingShape shape = placeShape(solids.solids.shapes[o], solids, span);
     for (int i = 0; i < static_cast<int>(skin.x().size()); ++i) {
-      if (!mayMeet(skin, i, shape, span.time_step)) continue;
+      if (!mayMeet(skin, i, shape)) continue;
       const Vec3 local = shape.from.inverse(Eigen::Isometry) * skin.x()[i];
       Candidate at;
       at.sample = i;
@@ -149,7 +152,7 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
                                                        ? keepOff(skin.surface(), skin.x(), i, shape, local, known_side)
                                                        : distanceFrom(known_side, *shape.solid, local);
       if (!nearest) continue;
-      std::optional<Candidate> candidate = candidateAt(skin, i, shape, local, *nearest, span.time_step);
+      std::optional<Candidate> candidate = candidateAt(skin, i, shape, local, *nearest);
       if (!candidate) continue;
       candidate->partner = at.partner;
       candidates->push_back(*candidate);

@@ -14,9 +14,6 @@ constexpr double STEEPNESS = 20;
 /// κ is at least this many times σ_t / δ_c, so that the traction rises before it falls.
 constexpr double LEAST_STEEPNESS = 4;
 
-/// Change of a slope, as a share of it, that takes another solve.
-constexpr double SLOPE_TOLERANCE = 0.02;
-
 }  // namespace
 
 Cohesion::Cohesion(const FractureSettings& settings, const Materials& materials)
@@ -51,7 +48,7 @@ double Cohesion::slope(const Bond& bond, double opening) const {
   return opened < last ? strength_ * (last - opened) / ((last - rise) * opened) : 0;
 }
 
-bool Cohesion::begin(const StepStart& start) {
+bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
   stretches_.resize(memory_.bonds.size());
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     const Section& section = memory_.bonds[i].section;
@@ -66,31 +63,33 @@ bool Cohesion::begin(const StepStart& start) {
     const auto placed = [&](const Barycentric& b) { return at(plus, b, start.motion.x); };
     stretch.normal = -vectorArea(polytope, *facetOf(polytope, section.crack), placed).stableNormalized();
     stretch.slope = slope(memory_.bonds[i], 0);
+    springs->push_back(stretch.bonded);
   }
   return !stretches_.empty();
 }
 
-bool Cohesion::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) {
-  bool differ = false;
+/// The traction falls as a section opens, so that has no convex potential: the slope goes from one bound to the next.
+void Cohesion::takeBounds(Span<const Vec3> moved) {
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
-    const Bond& bond = memory_.bonds[i];
     Stretch& stretch = stretches_[i];
-    const Vec3 y = stretch.start + span.time_step * weightedSum(stretch.bonded, v_end), n = stretch.normal;
-    const bool pressed = n.dot(y) < 0;
-    const double k = slope(bond, (pressed ? Vec3(y - n.dot(y) * n) : y).norm());
-    differ = differ || std::abs(k - stretch.slope) > SLOPE_TOLERANCE * std::max(k, stretch.slope);
-    stretch.slope = k;
-    if (!stretch.parted) continue;
-    Spring spring = stretch.bonded;
-    spring.stiffness = bond.area * k * Mat3::Identity();
-    if (pressed) spring.stiffness += bond.area * (bond.steepest - k) * n * n.transpose();
-    spring.force = -spring.stiffness * stretch.start;
-    springs->push_back(spring);
+    const Vec3 y = stretch.start + moved[static_cast<int>(i)], &n = stretch.normal;
+    stretch.slope = slope(memory_.bonds[i], (y - std::min(0.0, n.dot(y)) * n).norm());
   }
-  return differ;
 }
 
-void Cohesion::accept(const StepSpan& /*span*/, const Motion& end, const Wrench& /*felt*/) {
+void Cohesion::update(Span<const Vec3> moved, Span<Spring> springs) {
+  for (int i = 0; i < moved.size(); ++i) {
+    const Bond& bond = memory_.bonds[static_cast<std::size_t>(i)];
+    const Stretch& stretch = stretches_[static_cast<std::size_t>(i)];
+    if (!stretch.parted) continue;
+    const Vec3 y = stretch.start + moved[i], &n = stretch.normal;
+    Mat3 stiffness = bond.area * stretch.slope * Mat3::Identity();
+    if (n.dot(y) < 0) stiffness += bond.area * (bond.steepest - stretch.slope) * n * n.transpose();
+    springs[i].set(stiffness, -stiffness * y, moved[i]);
+  }
+}
+
+void Cohesion::accept(const StepSpan& /*span*/, Span<const Vec3> /*moved*/, const Motion& end, const Wrench& /*felt*/) {
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     Bond& bond = memory_.bonds[i];
     const Vec3 y = weightedSum(stretches_[i].bonded, end.x), n = stretches_[i].normal;

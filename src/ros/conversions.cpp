@@ -132,7 +132,11 @@ const std::map<std::string, Setter> FIELDS = {{"nodes", into(&BodyState::nodes)}
                                               {"elastic_energy", into(&BodyState::elastic_energy)},
                                               {"max_displacement", into(&BodyState::max_displacement)},
                                               {"iterations", into(&BodyState::iterations)},
-                                              {"residual", into(&BodyState::residual)}};
+                                              {"residual", into(&BodyState::residual)},
+                                              {"potential_energy", into(&BodyState::potential_energy)},
+                                              {"contact_energy", into(&BodyState::contact_energy)},
+                                              {"solves", into(&BodyState::solves)},
+                                              {"unsettled_steps", into(&BodyState::unsettled_steps)}};
 
 }  // namespace
 

@@ -32,6 +32,15 @@ std::string hexadecimal(std::uint64_t value) {
   return digits;
 }
 
+/// By nearest rank; 0 where there are none.
+template <typename T>
+T quantileOf(std::vector<T> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  return values[std::max<std::size_t>(rank, 1) - 1];
+}
+
 }  // namespace
 
 void StepStatistics::add(const StepResult& step) {
@@ -45,15 +54,14 @@ void StepStatistics::add(const StepResult& step) {
   last_.contact = step.contact;
   last_.iterations = step.iterations;
   last_.residual = step.residual;
+  last_.solves = step.solves;
+  last_.settled = step.settled;
+  solves_.push_back(step.solves);
 }
 
-double StepStatistics::quantile(double share) const {
-  if (step_ms_.empty()) return 0;
-  std::vector<double> sorted = step_ms_;
-  std::sort(sorted.begin(), sorted.end());
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
+double StepStatistics::quantile(double share) const { return quantileOf(step_ms_, share); }
+
+int StepStatistics::solvesQuantile(double share) const { return quantileOf(solves_, share); }
 
 PhaseTimes StepStatistics::meanPhases() const {
   const double n = std::max<double>(1, static_cast<double>(step_ms_.size()));
@@ -72,7 +80,11 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
       {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.quantile(1)}};
   line["phase_ms"] = {{"cut", phases.cut},           {"fracture", phases.fracture}, {"contact", phases.contact},
                       {"assembly", phases.assembly}, {"solve", phases.solve},       {"update", phases.update}};
-  line["contacts"] = {{"count", statistics.last().contact.count}, {"deepest", statistics.last().contact.deepest}};
+  line["contacts"] = {{"count", statistics.last().contact.count},
+                      {"deepest", statistics.last().contact.deepest},
+                      {"energy", statistics.last().contact.energy},
+                      {"solves", {{"median", statistics.solvesQuantile(0.5)}, {"max", statistics.solvesQuantile(1)}}},
+                      {"unsettled", body.unsettledSteps()}};
   line["peak_rss_mb"] = peakMemory();
   line["state_hash"] = hexadecimal(body.stateHash());
   return line.dump();

@@ -7,6 +7,7 @@ void CoupledRows::set(const std::vector<Spring>& springs, double time_step, cons
   ends_.clear();
   stiffness_.clear();
   for (const Spring& spring : springs) {
+    if (!spring.isStiff()) continue;
     for (int i = 0; i < spring.count; ++i)
       if (const int row = pattern.row_of[spring.copies[i]]; row >= 0)
         ends_.append({row, static_cast<float>(spring.weights[i] * scale[row])});

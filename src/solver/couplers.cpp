@@ -1,10 +1,9 @@
 #include "incision/solver/couplers.h"
 
-#include <algorithm>
-
 namespace incision {
 
-Couplers::Couplers(std::vector<Coupler*> list) : list_(std::move(list)), may_act_(list_.size(), false) {}
+Couplers::Couplers(std::vector<Coupler*> list)
+    : list_(std::move(list)), takes_part_(list_.size(), false), first_(list_.size() + 1, 0) {}
 
 void Couplers::changed(const CutMesh& mesh) {
   for (Coupler* coupler : list_) coupler->changed(mesh);
@@ -12,41 +11,45 @@ void Couplers::changed(const CutMesh& mesh) {
 
 bool Couplers::begin(const StepStart& start) {
   span_ = start.span;
+  springs_.clear();
   bool any = false;
   for (std::size_t i = 0; i < list_.size(); ++i) {
-    may_act_[i] = list_[i]->begin(start);
-    any = any || may_act_[i];
+    takes_part_[i] = list_[i]->begin(start, &springs_);
+    if (!takes_part_[i]) springs_.resize(first_[i]);
+    any = any || takes_part_[i];
+    first_[i + 1] = springs_.size();
+    for (std::size_t s = first_[i]; s < first_[i + 1]; ++s) springs_[s].coupler = static_cast<int>(i);
   }
   return any;
 }
 
-bool Couplers::update(const std::vector<Vec3>& v_end) {
-  springs_.clear();
-  bool differ = false;
-  for (std::size_t i = 0; i < list_.size(); ++i) {
-    if (!may_act_[i]) continue;
-    const std::size_t first = springs_.size();
-    if (list_[i]->update(span_, v_end, &springs_)) differ = true;
-    for (std::size_t s = first; s < springs_.size(); ++s) springs_[s].coupler = static_cast<int>(i);
-  }
-  return differ;
+void Couplers::takeBounds(const std::vector<Vec3>& moved) {
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (takes_part_[i]) list_[i]->takeBounds(ofCoupler(i, moved));
 }
 
-void Couplers::findWrenches(const std::vector<Vec3>& x, const std::vector<Vec3>& v_end,
+void Couplers::update(const std::vector<Vec3>& moved) {
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (takes_part_[i])
+      list_[i]->update(ofCoupler(i, moved), {springs_.data() + first_[i], springs_.data() + first_[i + 1]});
+}
+
+void Couplers::findWrenches(const std::vector<Vec3>& impulses, const std::vector<Vec3>& y,
                             std::vector<Wrench>* wrenches) const {
   wrenches->assign(list_.size(), Wrench());
-  for (const Spring& spring : springs_) {
-    if (!list_[static_cast<std::size_t>(spring.coupler)]->hasOtherEnd()) continue;
-    Wrench& sum = (*wrenches)[static_cast<std::size_t>(spring.coupler)];
-    const Wrench one = wrenchOf(spring, span_.time_step, x, v_end);
-    sum.force += one.force;
-    sum.torque += one.torque;
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (!list_[i]->hasOtherEnd()) continue;
+    for (std::size_t s = first_[i]; s < first_[i + 1]; ++s) {
+      const Wrench one = wrenchOf(impulses[s] / span_.time_step, y[s]);
+      (*wrenches)[i].force += one.force;
+      (*wrenches)[i].torque += one.torque;
+    }
   }
 }
 
-void Couplers::accept(const Motion& end, const std::vector<Wrench>& felt) {
+void Couplers::accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt) {
   for (std::size_t i = 0; i < list_.size(); ++i)
-    if (may_act_[i]) list_[i]->accept(span_, end, felt[i]);
+    if (takes_part_[i]) list_[i]->accept(span_, ofCoupler(i, moved), end, felt[i]);
 }
 
 int Couplers::joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piece) const {

@@ -6,21 +6,20 @@
 namespace incision {
 namespace {
 
-/// Relative residual that a backward stable factorisation leaves, and below which its rounding is not worth reporting.
-constexpr double ATTAINABLE = 1e-12;
-
 /// Factorisations after which blocks that springs have left are dropped: contacts that only bounce are back by then.
 constexpr int PATIENCE = 50;
 
 /// Calls f(row, column, w_row w_column, K) for the blocks row ≤ column of every spring.
 template <typename Function>
 void forEachBlock(const std::vector<Spring>& springs, const std::vector<int>& row_of, const Function& f) {
-  for (const Spring& spring : springs)
+  for (const Spring& spring : springs) {
+    if (!spring.isStiff()) continue;
     for (int i = 0; i < spring.count; ++i)
       for (int j = 0; j < spring.count; ++j) {
         const int row = row_of[spring.copies[i]], column = row_of[spring.copies[j]];
         if (row >= 0 && row <= column) f(row, column, spring.weights[i] * spring.weights[j], spring.stiffness);
       }
+  }
 }
 
 }  // namespace
@@ -29,15 +28,11 @@ void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& c
   assembly_ = &assembly;
   factors_ = factors;
   std::vector<int> free_copies;
-  std::vector<double> scale;
   for (int c = 0; c < assembly.mesh().numCopies(); ++c) {
-    if (change.left_out[c]) continue;
-    free_copies.push_back(c);
-    scale.push_back(1 / std::sqrt(diagonalOf(assembly, factors, c)));
+    if (!change.left_out[c]) free_copies.push_back(c);
   }
   findPattern(assembly, free_copies, &pattern_);
   ones_.assign(free_copies.size(), 1);
-  norms_.systemChanged(assembly, free_copies, change.piece, scale);
   extra_.clear();
   idle_ = 0;
   analyse();
@@ -130,23 +125,18 @@ void DirectSolver::findBlocks(const std::vector<Spring>& springs) {
   analyse();
 }
 
-SolveStats DirectSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis&,
-                               std::vector<Vec3>* dv) {
-  SolveStats stats;
-  if (pattern_.rows() == 0) return stats;
-  for (int c : pattern_.copies) (*dv)[c].setZero();
-  residual(*dv, &residual_);
-  norms_.setRightHandSide(residual_, rounding, ATTAINABLE);
-  if (norms_.total() == 0) return stats;
+int DirectSolver::correct(const std::vector<Vec3>& r, const std::vector<double>&, const Basis*, std::vector<Vec3>* d,
+                          std::vector<Vec3>* left) {
+  if (pattern_.rows() == 0) return 0;
   b_.resize(3 * pattern_.rows());
-  for (int r = 0; r < pattern_.rows(); ++r)
-    for (int i = 0; i < 3; ++i) b_[3 * r + i] = residual_[pattern_.copies[r]][i];
+  for (int row = 0; row < pattern_.rows(); ++row)
+    for (int i = 0; i < 3; ++i) b_[3 * row + i] = r[pattern_.copies[row]][i];
   cholesky_.solve(b_, &solution_);
-  for (int r = 0; r < pattern_.rows(); ++r)
-    for (int i = 0; i < 3; ++i) (*dv)[pattern_.copies[r]][i] = solution_[3 * r + i];
-  residual(*dv, &residual_);
-  stats.residual = norms_.worstRatio(residual_);
-  return stats;
+  for (int row = 0; row < pattern_.rows(); ++row) {
+    for (int i = 0; i < 3; ++i) (*d)[pattern_.copies[row]][i] = solution_[3 * row + i];
+    (*left)[pattern_.copies[row]].setZero();
+  }
+  return 0;
 }
 
 }  // namespace incision

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
+#include <limits>
 #include <utility>
 
 #include "incision/base/parallel.h"
@@ -42,7 +42,8 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
   memory_.group = piece_;
   held_ = heldCopies(mesh_, conditions_.clamps, held_nodes_);
   load_forces_ = loadForces(mesh_, conditions_.loads);
-  dv_.resize(mesh_.numCopies(), Vec3::Zero());
+  rigid_.topologyChanged(piece_, pieces_, held_, assembly_.warping());
+  norms_known_ = false;
   for (std::vector<Vec3>& differences : memory_.basis)
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
       differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
@@ -56,7 +57,6 @@ void ImplicitStep::reset() {
   fallback_.reset();
   touched_.clear();
   memory_ = Memory();
-  dv_.clear();
 }
 
 void ImplicitStep::recall(const Memory& memory) {
@@ -65,19 +65,73 @@ void ImplicitStep::recall(const Memory& memory) {
   memory_ = memory;
 }
 
-bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couplers* couplers,
-                           const std::vector<Vec3>* turned) {
+SystemFactors ImplicitStep::factors() const {
+  const Materials& materials = assembly_.materials();
+  return {1 + time_step_ * materials.massDamping(), time_step_ * materials.stiffnessDamping() + time_step_ * time_step_};
+}
+
+const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& motion) {
+  time_step_ = time_step;
+  rigid_.euler(assembly_, motion, time_step, &base_);
+  assembly_.rotate(base_.x);
+  findAhead(motion);
+  findInertia();
+  return ahead_;
+}
+
+/// Finds the base of the first step of second order, and the rotations where it goes.
+void ImplicitStep::rotateAhead(const Motion& motion) {
+  rigid_.firstOfSecondOrder(assembly_, motion, time_step_, &base_);
+  findAhead(motion);
+  y_.resize(ahead_.size());
+  for (std::size_t c = 0; c < ahead_.size(); ++c) y_[c] = motion.x[c] + ahead_[c];
+  assembly_.rotate(y_);
+}
+
+/// What depends on the topology and on Δt alone.
+void ImplicitStep::findInertia() {
+  if (norms_known_ && norms_time_step_ == time_step_) return;
+  norms_known_ = true;
+  norms_time_step_ = time_step_;
+  norms_.systemChanged(assembly_, factors(), held_, piece_, pieces_);
+  inertia_of_.resize(ahead_.size());
+  piece_mass_.assign(static_cast<std::size_t>(pieces_), 0);
+  for (int c = 0; c < mesh_.numCopies(); ++c) {
+    inertia_of_[c] = diagonalOf(assembly_, factors(), c);
+    piece_mass_[piece_[c]] += held_[c] >= 0 ? std::numeric_limits<double>::infinity() : assembly_.masses()[c];
+  }
+}
+
+void ImplicitStep::beginAhead(double time_step, const Motion& motion) {
+  time_step_ = time_step;
+  rotateAhead(motion);
+  findInertia();
+}
+
+void ImplicitStep::beginSecondOrder(double time_step, const Motion& now, const Motion& before) {
+  time_step_ = time_step;
+  rotateAhead(now);
+  time_step_ = 2 * time_step / 3;
+  rigid_.secondOrder(assembly_, now, before, time_step, &base_);
+  findAhead(now);
+  findInertia();
+}
+
+void ImplicitStep::findAhead(const Motion& motion) {
+  ahead_.resize(motion.x.size());
+  y_.resize(motion.x.size());
+  for (std::size_t c = 0; c < ahead_.size(); ++c) ahead_[c] = base_.x[c] - motion.x[c] + time_step_ * base_.u[c];
+}
+
+bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
   const auto start = std::chrono::steady_clock::now();
+  times_ = StepTimes();
   fallback_steps_at_start_ = memory_.fallback_steps;
   group_at_start_.clear();
-  assembly_.rotate(turned ? *turned : motion->x);
+  matrix_ready_ = false;
   if (memory_.fallback_steps > 0 && --memory_.fallback_steps == 0) topology_known_ = false;
-  prepareMatrix(time_step, *motion);
-  times_.assembly = millisecondsSince(start);
-
-  const auto solving = std::chrono::steady_clock::now();
-  const bool solved = trySolve(time, time_step, *motion, couplers);
-  times_.solve = millisecondsSince(solving);
+  const bool solved = solve(time, *motion, couplers);
+  times_.solve = millisecondsSince(start) - times_.assembly;
 
   const auto updating = std::chrono::steady_clock::now();
   if (!solved || !allFinite(dv_)) {
@@ -85,9 +139,14 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couple
     return false;
   }
   remember();
-  for (int c = 0; c < mesh_.numCopies(); ++c) {
-    motion->v[c] += dv_[c];
-    motion->x[c] += time_step * motion->v[c];
+  if (couplers) {
+    findWrenches(*couplers, *motion);
+    rigid_.finish(assembly_, base_, dv_, newton_.impulsesOnCopies(), motion);
+  } else {
+    for (int c = 0; c < mesh_.numCopies(); ++c) {
+      motion->v[c] = base_.v[c] + base_.u[c] + dv_[c];
+      motion->x[c] = base_.x[c] + time_step_ * (base_.u[c] + dv_[c]);
+    }
   }
   times_.update = millisecondsSince(updating);
   return true;
@@ -99,18 +158,28 @@ void ImplicitStep::giveUp() {
   if (other_solver || !group_at_start_.empty()) topology_known_ = false;
   memory_.fallback_steps = fallback_steps_at_start_;
   if (!group_at_start_.empty()) memory_.group = group_at_start_;
-  for (Vec3& dv : dv_) dv.setZero();
 }
 
-bool ImplicitStep::trySolve(double time, double time_step, const Motion& motion, Couplers* couplers) {
-  externalForces(time + time_step);
-  for (int c = 0; c < mesh_.numCopies(); ++c) {
-    if (held_[c] >= 0)
-      dv_[c] = conditions_.clamps[held_[c]].velocity - motion.v[c];
-    else if (couplers)
-      dv_[c] = memory_.basis[0][c];  // a guess, for which they find their springs
-  }
-  return solveCoupled(time_step, motion, couplers);
+bool ImplicitStep::solve(double time, const Motion& motion, Couplers* couplers) {
+  start_x_ = &motion.x;
+  given_.clear();
+  externalImpulses(time + time_step_);
+  findRounding();
+  dv_.resize(ahead_.size());
+  for (std::size_t c = 0; c < dv_.size(); ++c)
+    if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
+  return newton_.solve({this, couplers, time_step_, settings_.tolerance, ahead_, external_, rounding_, memory_.basis,
+                        piece_, held_, memory_.group, rigid_, base_.x},
+                       &norms_, &dv_);
+}
+
+/// What the springs did to the other ends. Their levers are where their points are when the step starts: by them an
+/// impulse changes Σ x × m v from there to the step's end.
+void ImplicitStep::findWrenches(const Couplers& couplers, const Motion& start) {
+  const std::vector<Spring>& springs = couplers.springs();
+  levers_.resize(springs.size());
+  for (std::size_t i = 0; i < springs.size(); ++i) levers_[i] = weightedSum(springs[i], start.x);
+  couplers.findWrenches(newton_.impulses(), levers_, &felt_);
 }
 
 /// Takes Δv into the differences: D_0 = Δv, D_k = D_{k−1} − its value a step ago.
@@ -125,57 +194,106 @@ void ImplicitStep::remember() {
   });
 }
 
-void ImplicitStep::prepareMatrix(double time_step, const Motion& motion) {
-  const bool new_system = !topology_known_ || time_step != matrix_time_step_;
-  if (!new_system && matrix_known_ && !assembly_.warping()) return;
-  prepare(current(), new_system, time_step, motion);
-  if (memory_.fallback_steps == 0) touched_.clear();
-  matrix_known_ = false;
-  topology_known_ = true;
-  matrix_time_step_ = time_step;
+/// The matrix is made when the first solve of a step asks for it: a body at rest asks for none.
+void ImplicitStep::prepareMatrix() {
+  const auto start = std::chrono::steady_clock::now();
+  matrix_ready_ = true;
+  const bool new_system = !topology_known_ || time_step_ != matrix_time_step_;
+  if (new_system || !matrix_known_ || assembly_.warping()) {
+    prepare(current(), new_system);
+    if (memory_.fallback_steps == 0) touched_.clear();
+    matrix_known_ = false;
+    topology_known_ = true;
+    matrix_time_step_ = time_step_;
+  }
+  times_.assembly += millisecondsSince(start);
 }
 
-void ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion) {
+void ImplicitStep::prepare(LinearSolver* solver, bool new_system) {
   if (new_system) {
-    const Materials& materials = assembly_.materials();
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
-    solver->systemChanged(
-        assembly_, {held, piece_, memory_.group, touched_},
-        {1 + time_step * materials.massDamping(), time_step * materials.stiffnessDamping() + time_step * time_step});
+    solver->systemChanged(assembly_, {held, piece_, memory_.group, touched_}, factors());
   }
-  solver->matrixChanged(motion.x);
+  solver->matrixChanged(base_.x);
 }
 
-SolveStats ImplicitStep::solve(double time_step, const Motion& motion, const Basis& basis) {
-  double reach = 0;
-  for (const Vec3& x : motion.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
-  rounding_.resize(assembly_.forceRounding().size());
-  for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step * reach * assembly_.forceRounding()[c];
-  const auto evaluate = [&](const std::vector<Vec3>& dv, std::vector<Vec3>* at) {
-    residual(time_step, motion, dv, at);
-  };
-  const Residual r = std::cref(evaluate);  // a reference fits into it: no allocation
+bool ImplicitStep::setSprings(const std::vector<Spring>& springs) {
+  const bool joined = joinGroups(springs);
+  if (!matrix_ready_) {
+    topology_known_ = topology_known_ && !joined;
+    prepareMatrix();
+  } else if (joined) {
+    prepare(current(), true);
+  }
+  const bool any = std::any_of(springs.begin(), springs.end(), [](const Spring& spring) { return spring.isStiff(); });
+  if (joined || !matrix_known_ || had_springs_ || any) matrix_known_ = current()->springsChanged(springs, time_step_);
+  had_springs_ = any;
+  return matrix_known_;
+}
 
-  if (memory_.fallback_steps > 0) return fallback_->solve(r, rounding_, basis, &dv_);
-  SolveStats stats = solver_->solve(r, rounding_, basis, &dv_);
-  if (stats.converged) return stats;
+/// Joins the groups of pieces that a spring lies between; returns whether that changed any. Groups only grow until the
+/// topology changes: pieces that lie on each other often come and go, and a solver takes time to turn.
+bool ImplicitStep::joinGroups(const std::vector<Spring>& springs) {
+  if (springs.empty()) return false;
+  group_sets_.reset(pieces_);
+  bool joined = false;
+  for (const Spring& spring : springs) {
+    if (!spring.isStiff()) continue;
+    int last = -1;  // the group of the free copy before; −1: there was none
+    for (int i = 0; i < spring.count; ++i) {
+      if (held_[spring.copies[i]] >= 0) continue;
+      const int group = memory_.group[spring.copies[i]];
+      if (last >= 0 && group_sets_.join(last, group)) joined = true;
+      last = group;
+    }
+  }
+  if (!joined) return false;
+  if (group_at_start_.empty()) group_at_start_ = memory_.group;
+  for (int& group : memory_.group) group = group_sets_.lowest(group);
+  return true;
+}
+
+int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+                          std::vector<Vec3>* d, std::vector<Vec3>* left) {
+  return current()->correct(r, limit, basis, d, left);
+}
+
+void ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
+  rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_);
+  for (std::size_t c = 0; c < ahead_.size(); ++c) {
+    ahead_[c] = base_.x[c] - (*start_x_)[c] + time_step_ * base_.u[c];
+    if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
+  }
+  assembly_.rotate(base_.x);
+}
+
+bool ImplicitStep::isDirect() const {
+  return memory_.fallback_steps > 0 || settings_.method == Method::DIRECT;
+}
+
+bool ImplicitStep::fallBack(const std::vector<Spring>& springs) {
+  if (isDirect()) return false;
   if (!fallback_) {
     SolverSettings direct = settings_;
     direct.method = Method::DIRECT;
     fallback_ = make_solver_(direct, assembly_.warping());
   }
   memory_.fallback_steps = FALLBACK_STEPS;
-  prepare(fallback_.get(), true, time_step, motion);
-  if (!fallback_->springsChanged(springs(), time_step)) return stats;
-  const int iterations = stats.iterations;
-  stats = fallback_->solve(r, rounding_, basis, &dv_);
-  stats.iterations = iterations;
-  return stats;
+  prepare(fallback_.get(), true);
+  matrix_known_ = fallback_->springsChanged(springs, time_step_);
+  return matrix_known_;
 }
 
-/// M g and the tractions, as they stand at the end of the step.
-void ImplicitStep::externalForces(double time) {
+void ImplicitStep::findRounding() {
+  double reach = 0;
+  for (const Vec3& x : base_.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
+  rounding_.resize(assembly_.forceRounding().size());
+  for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step_ * reach * assembly_.forceRounding()[c];
+}
+
+/// Δt times M g and the tractions, as they stand at the end of the step.
+void ImplicitStep::externalImpulses(double time) {
   external_.resize(mesh_.numCopies());
   for (int c = 0; c < mesh_.numCopies(); ++c) external_[c] = assembly_.masses()[c] * conditions_.gravity;
   for (std::size_t l = 0; l < load_forces_.size(); ++l) {
@@ -183,18 +301,19 @@ void ImplicitStep::externalForces(double time) {
     const double share = ramp > 0 ? std::min(1.0, time / ramp) : 1;
     for (int c = 0; c < mesh_.numCopies(); ++c) external_[c] += share * load_forces_[l][c];
   }
+  for (Vec3& impulse : external_) impulse *= time_step_;
 }
 
 // The right-hand side less the left at a trial Δv, gathered so that the elements are visited once: as f(y) = f_int + K
-// (y − x) is affine in y with slope K,
-//   r = Δt f_ext − M (Δv + α Δt (v + Δv)) − Δt f(x + (Δt + β)(v + Δv)).
-void ImplicitStep::residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
+// (y − x̂) is affine in y with slope K,
+//   r = Δt f_ext − M (Δv + α Δt (v̂ + u + Δv)) − Δt f(x̂ + (Δt + β)(u + Δv)).
+void ImplicitStep::residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
   const double alpha = assembly_.materials().massDamping(), beta = assembly_.materials().stiffnessDamping();
   const int copies = mesh_.numCopies();
-  const auto inertial = [&](int c) -> Vec3 { return dv[c] + alpha * time_step * (motion.v[c] + dv[c]); };
+  const auto inertial = [&](int c) -> Vec3 { return dv[c] + alpha * time_step_ * (base_.v[c] + base_.u[c] + dv[c]); };
   y_.resize(copies);
   parallelFor(copies, settings_.threads,
-              [&](int c) { y_[c] = motion.x[c] + (time_step + beta) * (motion.v[c] + dv[c]); });
+              [&](int c) { y_[c] = base_.x[c] + (time_step_ + beta) * (base_.u[c] + dv[c]); });
   assembly_.elasticForces(y_, r);
   if (assembly_.consistentMass()) {
     for (int c = 0; c < copies; ++c) y_[c] = inertial(c);
@@ -202,11 +321,9 @@ void ImplicitStep::residual(double time_step, const Motion& motion, const std::v
   }
   parallelFor(copies, settings_.threads, [&](int c) {
     const Vec3 inertia = assembly_.consistentMass() ? inertia_[c] : Vec3(assembly_.masses()[c] * inertial(c));
-    (*r)[c] = time_step * (external_[c] - (*r)[c]) - inertia;
+    (*r)[c] = external_[c] - time_step_ * (*r)[c] - inertia;
+    if (!given_.empty()) (*r)[c] -= given_[c];
   });
-  if (springs().empty()) return;
-  for (int c = 0; c < copies; ++c) y_[c] = motion.v[c] + dv[c];
-  addImpulses(springs(), time_step, y_, r);
 }
 
 }  // namespace incision

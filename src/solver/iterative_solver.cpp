@@ -14,30 +14,11 @@ namespace {
 /// and a fresh residual does better.
 constexpr int MAX_ITERATIONS = 400;
 
-/// A run must leave less than this of the residual to be followed by another: float has lost what it does not gain.
-constexpr double MIN_PROGRESS = 0.3;
-
 /// What one run may gain at most: float vectors know no more.
 constexpr double MIN_GAIN = 1e-5;
 
-/// A run aims below the tolerance by this much, since the float matrix is not quite A.
+/// A run aims below the limit by this much, since the float matrix is not quite A.
 constexpr double MARGIN = 0.7;
-
-/// How much of the tolerance the rounding of a float product may take up.
-constexpr double ROUNDING_SHARE = 0.1;
-
-/// Rows that a sum takes together, so that it does not depend on the count of threads.
-constexpr int CHUNK = 64;
-
-/// Σ f(row) over all rows.
-template <typename Function>
-double sumOverRows(int rows, int threads, std::vector<double>* terms, const Function& f) {
-  return parallelSum((rows + CHUNK - 1) / CHUNK, threads, terms, [&](int chunk) {
-    double sum = 0;
-    for (int i = chunk * CHUNK; i < std::min(rows, (chunk + 1) * CHUNK); ++i) sum += f(i);
-    return sum;
-  });
-}
 
 }  // namespace
 
@@ -53,16 +34,16 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   scale_.resize(rows);
   parallelFor(rows, assembly.threads(),
               [&](int i) { scale_[i] = 1 / std::sqrt(diagonalOf(assembly, factors, pattern_.copies[i])); });
-  norms_.systemChanged(assembly, pattern_.copies, change.piece, scale_);
   coupled_ = CoupledRows();
   inverse_diagonal_.resize(rows);
   for (auto* v : {&y_, &r_, &z_, &p_, &Ap_}) v->assign(rows, Vec4f::Zero());
   basis_.fill(y_);
   products_.resize(aggregates_.count());
-  group_of_.clear();
+  piece_of_.clear();
   for (int a = 0; a < aggregates_.count(); ++a)
-    group_of_.push_back(change.group[pattern_.copies[aggregates_.rows[a][0]]]);
-  groups_ = change.group.empty() ? 0 : 1 + *std::max_element(change.group.begin(), change.group.end());
+    piece_of_.push_back(change.piece[pattern_.copies[aggregates_.rows[a][0]]]);
+  pieces_ = change.piece.empty() ? 0 : 1 + *std::max_element(change.piece.begin(), change.piece.end());
+  findGroups();
   if (rows > 0) coarse_.topologyChanged(pattern_, aggregates_, scale_);
 }
 
@@ -81,7 +62,20 @@ bool IterativeSolver::springsChanged(const std::vector<Spring>& springs, double 
   coupled_.set(springs, time_step, pattern_, scale_);
   parallelFor(static_cast<int>(rows.size()), threads, [&](int k) { invertDiagonal(rows[k], coupled_.diagonal(k)); });
   coarse_.springsChanged(coupled_, threads);
+  findGroups();
   return true;
+}
+
+/// Pieces between which springs act make a group. No aggregate spans two pieces.
+void IterativeSolver::findGroups() {
+  piece_sets_.reset(pieces_);
+  for (int c = 0; c < coupled_.count(); ++c) {
+    const Span<const CoupledRows::End> ends = coupled_.ends()[c];
+    for (const CoupledRows::End& end : ends)
+      piece_sets_.join(piece_of_[aggregates_.of[ends[0].row]], piece_of_[aggregates_.of[end.row]]);
+  }
+  group_of_.resize(piece_of_.size());
+  for (std::size_t a = 0; a < piece_of_.size(); ++a) group_of_[a] = piece_sets_.lowest(piece_of_[a]);
 }
 
 void IterativeSolver::invertDiagonal(int row, const Mat3& coupled) {
@@ -96,61 +90,61 @@ void IterativeSolver::stretchSprings(const std::vector<Vec4f>& p) {
   parallelFor(coupled_.count(), assembly_->threads(), [&](int c) { coupled_.stretch(c, p); });
 }
 
-SolveStats IterativeSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                                  std::vector<Vec3>* dv) {
-  SolveStats stats;
-  if (pattern_.rows() == 0) return stats;
-  for (int copy : pattern_.copies) (*dv)[copy].setZero();
-  residual(*dv, &residual_);
-  norms_.setRightHandSide(residual_, rounding, tolerance_);
-  if (norms_.total() == 0) return stats;
-  if (floatIsTooCoarse(basis.front())) {
-    for (int copy : pattern_.copies) (*dv)[copy] = basis.front()[copy];
-    residual(*dv, &residual_);
-  }
-  scaleResidual();
-  guess(basis);
-  double before = std::numeric_limits<double>::infinity();
-  for (stats.residual = norms_.worstRatio(r_);;) {
-    const double target = std::max(MARGIN * tolerance_, MIN_GAIN * stats.residual);
-    if (stats.residual > target) stats.iterations += iterate(target);
-    parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
-      (*dv)[pattern_.copies[i]] += norms_.total() * scale_[i] * y_[i].head<3>().cast<double>();
-    });
-    residual(*dv, &residual_);
-    stats.residual = norms_.worstRatio(residual_);
-    if (stats.residual <= tolerance_ || !(stats.residual < MIN_PROGRESS * before)) break;
-    before = stats.residual;
-    scaleResidual();
-    std::fill(y_.begin(), y_.end(), Vec4f::Zero());
-  }
-  stats.converged = stats.residual <= tolerance_;
-  return stats;
-}
-
-/// Whether the float matrix would leave more rounding in A Δv than the tolerance allows: in a stiff body nearly all of
-/// it cancels. The first residual is then reckoned at `dv` itself, and the guess only has to mend it.
-bool IterativeSolver::floatIsTooCoarse(const std::vector<Vec3>& dv) {
-  const double square = sumOverRows(pattern_.rows(), assembly_->threads(), &terms_, [&](int i) {
-    return dv[pattern_.copies[i]].squaredNorm() / (scale_[i] * scale_[i]);
-  });
-  return std::numeric_limits<float>::epsilon() * std::sqrt(square) > ROUNDING_SHARE * tolerance_ * norms_.total();
-}
-
-void IterativeSolver::scaleResidual() {
+int IterativeSolver::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+                             std::vector<Vec3>* d, std::vector<Vec3>* left) {
+  if (pattern_.rows() == 0) return 0;
+  const double unit = scaleResidual(r);
+  if (!(unit > 0)) return 0;
+  std::fill(y_.begin(), y_.end(), Vec4f::Zero());
+  findActive(limit, unit);
+  if (basis) guess(*basis);
+  const int iterations = iterate(limit, unit);
   parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
-    r_[i].head<3>() = (scale_[i] / norms_.total() * residual_[pattern_.copies[i]]).cast<float>();
+    (*d)[pattern_.copies[i]] = unit * scale_[i] * y_[i].head<3>().cast<double>();
+    (*left)[pattern_.copies[i]] = unit / scale_[i] * r_[i].head<3>().cast<double>();
   });
+  return iterations;
 }
 
-/// Takes for y_ the best sum of the basis in each piece, since pieces move by themselves, and for r_ what it leaves of
+/// Takes r into r_, scaled to the length 1, and returns what it had.
+double IterativeSolver::scaleResidual(const std::vector<Vec3>& r) {
+  const int threads = assembly_->threads();
+  const double square = parallelSum(aggregates_.count(), threads, &terms_, [&](int a) {
+    double sum = 0;
+    for (int i : aggregates_.rows[a]) sum += scale_[i] * scale_[i] * r[pattern_.copies[i]].squaredNorm();
+    return sum;
+  });
+  const double unit = std::sqrt(square);
+  if (!(unit > 0)) return 0;
+  parallelFor(pattern_.rows(), threads,
+              [&](int i) { r_[i].head<3>() = (scale_[i] / unit * r[pattern_.copies[i]]).cast<float>(); });
+  return unit;
+}
+
+/// |r_|² of an aggregate.
+double IterativeSolver::squareOf(int aggregate) const {
+  double sum = 0;
+  for (int i : aggregates_.rows[aggregate]) sum += static_cast<double>(r_[i].squaredNorm());
+  return sum;
+}
+
+/// Finds the groups that have a piece above its limit.
+void IterativeSolver::findActive(const std::vector<double>& limit, double unit) {
+  piece_sum_.assign(static_cast<std::size_t>(pieces_), 0);
+  groups_.assign(static_cast<std::size_t>(pieces_), Group());
+  for (int a = 0; a < aggregates_.count(); ++a) piece_sum_[piece_of_[a]] += squareOf(a);
+  for (std::size_t s = 0; s < piece_sum_.size(); ++s)
+    if (unit * unit * piece_sum_[s] > limit[s]) groups_[piece_sets_.lowest(static_cast<int>(s))].goes_on = true;
+  active_.clear();
+  for (int a = 0; a < aggregates_.count(); ++a)
+    if (groups_[group_of_[a]].goes_on) active_.push_back(a);
+}
+
+/// Takes for y_ the best sum of the basis in each group, since groups move by themselves, and for r_ what it leaves of
 /// the right-hand side r_.
 void IterativeSolver::guess(const Basis& basis) {
-  const int threads = assembly_->threads();
+  const int threads = assembly_->threads(), active = static_cast<int>(active_.size());
   const std::array<std::vector<Vec4f>*, BASIS_SIZE> A_basis = {&z_, &p_, &Ap_};  // not in use yet
-  const auto forEachRow = [&](int a, const auto& f) {
-    for (int row : aggregates_.rows[a]) f(row);
-  };
   for (int j = 0; j < BASIS_SIZE; ++j) {
     double largest = 0;
     for (int copy : pattern_.copies) largest = std::max(largest, basis[j][copy].cwiseAbs().maxCoeff());
@@ -163,88 +157,148 @@ void IterativeSolver::guess(const Basis& basis) {
     stretchSprings(basis_[j]);
     parallelFor(pattern_.rows(), threads, [&](int i) { (*A_basis[j])[i] = coupled_.multiplyRow(i); });
   }
-  parallelFor(aggregates_.count(), threads, [&](int a) {
+  parallelFor(active, threads, [&](int k) {
+    const int a = active_[k];
     BasisProducts& sum = products_[a];
     sum = BasisProducts();
-    forEachRow(a, [&](int i) {
+    for (int i : aggregates_.rows[a])
       for (int j = 0; j < BASIS_SIZE; ++j) {
         Vec4f A_u = multiplyRow(pattern_, blocks_, i, basis_[j]);
         if (coupled_.count() > 0) A_u += (*A_basis[j])[i];
         (*A_basis[j])[i] = A_u;
         sum.h[j] += static_cast<double>(basis_[j][i].dot(r_[i]));
-        for (int k = 0; k < BASIS_SIZE; ++k) sum.G(j, k) += static_cast<double>(A_u.dot(basis_[k][i]));
+        for (int l = 0; l < BASIS_SIZE; ++l) sum.G(j, l) += static_cast<double>(A_u.dot(basis_[l][i]));
       }
-    });
   });
-  combinations_.assign(groups_, BasisProducts());
-  for (int a = 0; a < aggregates_.count(); ++a) {
+  combinations_.assign(groups_.size(), BasisProducts());
+  for (int a : active_) {
     combinations_[group_of_[a]].G += products_[a].G;
     combinations_[group_of_[a]].h += products_[a].h;
   }
   for (BasisProducts& sum : combinations_) sum.h = bestCombination(sum.G, sum.h);
-  parallelFor(aggregates_.count(), threads, [&](int a) {
+  parallelFor(active, threads, [&](int k) {
+    const int a = active_[k];
     const Eigen::Matrix<float, BASIS_SIZE, 1> c = combinations_[group_of_[a]].h.cast<float>();
-    forEachRow(a, [&](int i) {
-      y_[i].setZero();
+    for (int i : aggregates_.rows[a])
       for (int j = 0; j < BASIS_SIZE; ++j) {
         y_[i] += c[j] * basis_[j][i];
         r_[i] -= c[j] * (*A_basis[j])[i];
       }
-    });
   });
 }
 
-/// Adds to y_ what solves Â y = r_, until every piece's ratio is below `target`; r_ becomes the residual of the float
-/// matrix.
-int IterativeSolver::iterate(double target) {
-  const int rows = pattern_.rows(), threads = assembly_->threads();
-  std::fill(p_.begin(), p_.end(), Vec4f::Zero());
-  parallelFor(aggregates_.count(), threads, [&](int a) { coarse_.restrictAggregate(a, r_); });
-  double rz = 0;
+/// Adds to y_ what solves Â y = r_, until every piece is below its limit; r_ becomes the residual of the float matrix.
+/// The scalars are those of each group: it is as if each were iterated alone.
+int IterativeSolver::iterate(const std::vector<double>& limit, double unit) {
+  for (int a : active_) terms_[a] = squareOf(a);
+  sumPieces();
+  for (std::size_t s = 0; s < limit.size(); ++s)
+    groups_[piece_sets_.lowest(static_cast<int>(s))].least += MIN_GAIN * MIN_GAIN * piece_sum_[s];
+  aims_.resize(limit.size());
+  for (std::size_t s = 0; s < limit.size(); ++s)
+    aims_[s] = std::max(MARGIN * MARGIN * limit[s] / (unit * unit), groups_[piece_sets_.lowest(static_cast<int>(s))].least);
+  stopGroups();
+  coarse_.clearResidual();
+  for (int a : active_) coarse_.restrictAggregate(a, r_);
   for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
-    const double next_rz = precondition();
-    const float beta = iteration > 0 ? static_cast<float>(next_rz / rz) : 0;
-    rz = next_rz;
-    if (!(rz > 0)) return iteration;
-    parallelFor(rows, threads, [&](int i) { p_[i] = z_[i] + beta * p_[i]; });
-    if (coupled_.count() > 0) stretchSprings(p_);
-    const double pAp = sumOverRows(rows, threads, &terms_, [&](int i) {
-      Vec4f Ap = multiplyRow(pattern_, blocks_, i, p_);
-      if (coupled_.count() > 0) Ap += coupled_.multiplyRow(i);
-      Ap_[i] = Ap;
-      return static_cast<double>(p_[i].dot(Ap));
-    });
-    if (!(pAp > 0)) return iteration;
-    // The norm of all is cheap, but only that of the worst piece counts.
-    if (update(rz / pAp) <= target && norms_.worstRatio(r_) <= target) return iteration + 1;
+    if (active_.empty()) return iteration;
+    precondition();
+    findDirections(iteration == 0);
+    multiply();
+    advance();
+    stopGroups();
   }
   return MAX_ITERATIONS;
 }
 
-/// z = (block Jacobi + coarse space) r; returns r·z.
-double IterativeSolver::precondition() {
+/// Adds the aggregates' terms up by group, and by piece.
+void IterativeSolver::sumByGroup(double Group::*sum) {
+  for (Group& group : groups_) group.*sum = 0;
+  for (int a : active_) groups_[group_of_[a]].*sum += terms_[a];
+}
+
+/// z = (block Jacobi + coarse space) r, and r·z.
+void IterativeSolver::precondition() {
   coarse_.solve();
-  return sumOverRows(pattern_.rows(), assembly_->threads(), &terms_, [&](int i) {
-    const Vec4f& r = r_[i];
-    const auto& inverse = inverse_diagonal_[i];
-    z_[i] = inverse.col(0) * r[0] + inverse.col(1) * r[1] + inverse.col(2) * r[2] + coarse_.prolong(i);
-    return static_cast<double>(r.dot(z_[i]));
+  parallelFor(static_cast<int>(active_.size()), assembly_->threads(), [&](int k) {
+    const int a = active_[k];
+    double sum = 0;
+    for (int i : aggregates_.rows[a]) {
+      const Vec4f& r = r_[i];
+      const auto& inverse = inverse_diagonal_[i];
+      z_[i] = inverse.col(0) * r[0] + inverse.col(1) * r[1] + inverse.col(2) * r[2] + coarse_.prolong(i);
+      sum += static_cast<double>(r.dot(z_[i]));
+    }
+    terms_[a] = sum;
+  });
+  sumByGroup(&Group::next_rz);
+}
+
+/// p = z + β p. A group whose r·z is not positive has come to where floats end.
+void IterativeSolver::findDirections(bool first) {
+  for (Group& group : groups_) {
+    group.beta = first ? 0 : static_cast<float>(group.next_rz / group.rz);
+    group.rz = group.next_rz;
+    if (!(group.rz > 0)) group.goes_on = false;
+  }
+  parallelFor(static_cast<int>(active_.size()), assembly_->threads(), [&](int k) {
+    const int a = active_[k];
+    const float beta = groups_[group_of_[a]].beta;
+    for (int i : aggregates_.rows[a]) p_[i] = first ? z_[i] : Vec4f(z_[i] + beta * p_[i]);
   });
 }
 
-/// One step along p_: y_, r_ and the coarse level's right-hand side; returns ‖r‖.
-double IterativeSolver::update(double step) {
-  const float alpha = static_cast<float>(step);
-  return std::sqrt(parallelSum(aggregates_.count(), assembly_->threads(), &terms_, [&](int a) {
+/// Ap and p·Ap.
+void IterativeSolver::multiply() {
+  if (coupled_.count() > 0) stretchSprings(p_);
+  parallelFor(static_cast<int>(active_.size()), assembly_->threads(), [&](int k) {
+    const int a = active_[k];
+    double sum = 0;
+    for (int i : aggregates_.rows[a]) {
+      Vec4f Ap = multiplyRow(pattern_, blocks_, i, p_);
+      if (coupled_.count() > 0) Ap += coupled_.multiplyRow(i);
+      Ap_[i] = Ap;
+      sum += static_cast<double>(p_[i].dot(Ap));
+    }
+    terms_[a] = sum;
+  });
+  sumByGroup(&Group::pAp);
+}
+
+/// One step of each group along p: y_, r_ and the coarse level's right-hand side.
+void IterativeSolver::advance() {
+  for (Group& group : groups_) {
+    if (!(group.pAp > 0)) group.goes_on = false;
+    group.alpha = group.goes_on ? static_cast<float>(group.rz / group.pAp) : 0;
+  }
+  parallelFor(static_cast<int>(active_.size()), assembly_->threads(), [&](int k) {
+    const int a = active_[k];
+    const float alpha = groups_[group_of_[a]].alpha;
     double sum = 0;
     for (int i : aggregates_.rows[a]) {
       y_[i] += alpha * p_[i];
       r_[i] -= alpha * Ap_[i];
       sum += static_cast<double>(r_[i].squaredNorm());
     }
+    terms_[a] = sum;
     coarse_.restrictAggregate(a, r_);
-    return sum;
-  }));
+  });
+  sumPieces();
+}
+
+/// Adds up |r|² of the pieces that go on.
+void IterativeSolver::sumPieces() {
+  for (int a : active_) piece_sum_[piece_of_[a]] = 0;
+  for (int a : active_) piece_sum_[piece_of_[a]] += terms_[a];
+}
+
+/// Takes out the groups of which all pieces are where they should be, or which can go no further.
+void IterativeSolver::stopGroups() {
+  for (Group& group : groups_) group.is_above = false;
+  for (int a : active_)
+    if (!(piece_sum_[piece_of_[a]] <= aims_[piece_of_[a]])) groups_[group_of_[a]].is_above = true;
+  const auto stopped = [&](int a) { return !groups_[group_of_[a]].goes_on || !groups_[group_of_[a]].is_above; };
+  active_.erase(std::remove_if(active_.begin(), active_.end(), stopped), active_.end());
 }
 
 }  // namespace incision

@@ -17,7 +17,7 @@ constexpr int DIRECT_UP_TO_UNWARPED = 1000;
 std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, bool warping) {
   if (settings.method == Method::DIRECT) return std::make_unique<DirectSolver>();
   const bool lasting = settings.method == Method::AUTO && !warping;
-  return std::make_unique<PiecewiseSolver>(settings.tolerance, lasting ? DIRECT_UP_TO_UNWARPED : DIRECT_UP_TO);
+  return std::make_unique<PiecewiseSolver>(lasting ? DIRECT_UP_TO_UNWARPED : DIRECT_UP_TO);
 }
 
 }  // namespace incision

@@ -2,63 +2,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace incision {
+namespace {
 
-void PieceNorms::systemChanged(const Assembly& assembly, const std::vector<int>& rows, const std::vector<int>& piece,
-                               const std::vector<double>& scale) {
-  rows_ = rows;
-  piece_.clear();
-  squared_scale_.clear();
-  mass_.assign(piece.empty() ? 0 : 1 + *std::max_element(piece.begin(), piece.end()), 0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    piece_.push_back(piece[rows[i]]);
-    squared_scale_.push_back(scale[i] * scale[i]);
-    mass_[piece_.back()] += assembly.masses()[rows[i]];
+/// How much of the tolerance the rounding of a float product may take up.
+constexpr double ROUNDING_SHARE = 0.1;
+
+}  // namespace
+
+void PieceNorms::systemChanged(const Assembly& assembly, const SystemFactors& factors, const std::vector<int>& held,
+                               const std::vector<int>& piece, int pieces) {
+  piece_ = piece;
+  squared_scale_.assign(piece.size(), 0);
+  mass_.assign(static_cast<std::size_t>(pieces), 0);
+  for (std::size_t c = 0; c < piece.size(); ++c) {
+    if (held[c] >= 0) continue;
+    squared_scale_[c] = 1 / diagonalOf(assembly, factors, static_cast<int>(c));
+    mass_[piece[c]] += assembly.masses()[c];
   }
 }
 
-void PieceNorms::setRightHandSide(const std::vector<Vec3>& b, const std::vector<double>& rounding, double tolerance) {
-  measure_.assign(mass_.size(), 0);
-  sum_.assign(mass_.size(), 0);  // here: of the rounding
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const int copy = rows_[i];
-    measure_[piece_[i]] += squared_scale_[i] * b[copy].squaredNorm();
-    sum_[piece_[i]] += squared_scale_[i] * rounding[copy] * rounding[copy];
-  }
+void PieceNorms::squares(const std::vector<Vec3>& values, std::vector<double>* sums) const {
+  sums->assign(mass_.size(), 0);
+  for (std::size_t c = 0; c < piece_.size(); ++c) (*sums)[piece_[c]] += squared_scale_[c] * values[c].squaredNorm();
+}
+
+void PieceNorms::measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads,
+                         const std::vector<double>& rounding, double tolerance) {
+  squares(b, &measure_);
+  squares(loads, &sum_);
   double whole = 0, mass = 0;
   for (std::size_t s = 0; s < mass_.size(); ++s) {
+    measure_[s] = std::max(measure_[s], sum_[s]);
     whole += measure_[s];
     mass += mass_[s];
   }
-  total_ = 0;
-  for (std::size_t s = 0; s < mass_.size(); ++s) {
+  sum_.assign(mass_.size(), 0);  // here: of the rounding
+  for (std::size_t c = 0; c < piece_.size(); ++c) sum_[piece_[c]] += squared_scale_[c] * rounding[c] * rounding[c];
+  for (std::size_t s = 0; s < mass_.size(); ++s)
     measure_[s] = std::max({measure_[s], mass_[s] / mass * whole, sum_[s] / (tolerance * tolerance)});
-    total_ += measure_[s];
-  }
-  total_ = std::sqrt(total_);
+}
+
+void PieceNorms::raise(const std::vector<Vec3>& impulses) {
+  squares(impulses, &sum_);
+  for (std::size_t s = 0; s < mass_.size(); ++s) measure_[s] = std::max(measure_[s], sum_[s]);
 }
 
 double PieceNorms::worstRatio(const std::vector<Vec3>& r) {
-  sum_.assign(mass_.size(), 0);
-  for (std::size_t i = 0; i < rows_.size(); ++i) sum_[piece_[i]] += squared_scale_[i] * r[rows_[i]].squaredNorm();
-  return worstSum(1);
-}
-
-double PieceNorms::worstRatio(const std::vector<Vec4f>& r) {
-  sum_.assign(mass_.size(), 0);
-  for (std::size_t i = 0; i < rows_.size(); ++i) sum_[piece_[i]] += r[i].squaredNorm();
-  return worstSum(total_ * total_);
-}
-
-double PieceNorms::worstSum(double unit) const {
+  squares(r, &sum_);
   double worst = 0;
   for (std::size_t s = 0; s < mass_.size(); ++s) {
-    if (unit * sum_[s] <= worst * measure_[s]) continue;
-    worst = unit * sum_[s] / measure_[s];
+    if (sum_[s] <= worst * measure_[s]) continue;
+    worst = sum_[s] / measure_[s];
     if (!std::isfinite(worst)) break;
   }
   return std::sqrt(worst);
+}
+
+bool PieceNorms::floatIsTooCoarse(const std::vector<Vec3>& dv, double tolerance) const {
+  double square = 0, total = 0;
+  for (std::size_t c = 0; c < piece_.size(); ++c)
+    if (squared_scale_[c] > 0) square += dv[c].squaredNorm() / squared_scale_[c];
+  for (double measure : measure_) total += measure;
+  return std::numeric_limits<float>::epsilon() * std::sqrt(square) > ROUNDING_SHARE * tolerance * std::sqrt(total);
 }
 
 }  // namespace incision

@@ -1,7 +1,5 @@
 #include "incision/solver/piecewise_solver.h"
 
-#include <algorithm>
-
 namespace incision {
 namespace {
 
@@ -59,15 +57,10 @@ bool PiecewiseSolver::springsChanged(const std::vector<Spring>& springs, double 
          (!any_iterative_ || iterative_.springsChanged(springs, time_step));
 }
 
-SolveStats PiecewiseSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                                  std::vector<Vec3>* dv) {
-  SolveStats stats;
-  if (any_direct_) stats = direct_.solve(residual, rounding, basis, dv);
-  if (!any_iterative_) return stats;
-  const double direct_residual = stats.residual;
-  stats = iterative_.solve(residual, rounding, basis, dv);
-  stats.residual = std::max(stats.residual, direct_residual);
-  return stats;
+int PiecewiseSolver::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+                             std::vector<Vec3>* d, std::vector<Vec3>* left) {
+  if (any_direct_) direct_.correct(r, limit, basis, d, left);
+  return any_iterative_ ? iterative_.correct(r, limit, basis, d, left) : 0;
 }
 
 }  // namespace incision

@@ -9,8 +9,8 @@ namespace incision {
 ToolContact::ToolContact(Obstacles shapes, double friction, const std::optional<Edge>& edge, ContactSkin* skin)
     : Contact(friction, skin), shapes_(std::move(shapes)), edge_(edge), motions_(1) {}
 
-void ToolContact::accept(const StepSpan& span, const Motion& end, const Wrench& felt) {
-  Contact::accept(span, end, felt);
+void ToolContact::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) {
+  Contact::accept(span, moved, end, felt);
   tool_->feel(span, felt);
 }
 

@@ -35,14 +35,14 @@ class FailingSolver : public LinearSolver {
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override {
     return solver_->springsChanged(springs, time_step);
   }
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                   std::vector<Vec3>* dv) override {
-    SolveStats stats = solver_->solve(residual, rounding, basis, dv);
-    if (failures_->solves.count(failures_->count++) == 0) return stats;
-    for (Vec3& value : *dv) value.setConstant(std::nan(""));
-    stats.converged = false;
-    return stats;
+  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override {
+    const int iterations = solver_->correct(r, limit, basis, d, left);
+    if (failures_->solves.count(failures_->count++) == 0) return iterations;
+    for (Vec3& value : *d) value.setConstant(std::nan(""));
+    return iterations;
   }
+  bool isDirect() const override { return solver_->isDirect(); }
 
  private:
   std::unique_ptr<LinearSolver> solver_;

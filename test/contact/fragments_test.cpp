@@ -29,7 +29,9 @@ struct Touching : Rig {
   std::vector<Candidate> again() {
     x = surfacePositions(surface, motion.x);
     std::vector<Candidate> candidates;
-    finder.find(contact, x, v, 0.01, 1, &candidates);
+    ahead.resize(v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) ahead[i] = 0.01 * v[i];
+    finder.find(contact, x, ahead, 1, &candidates);
     return candidates;
   }
   // Moves a piece as a rigid one.
@@ -42,7 +44,7 @@ struct Touching : Rig {
   Surface surface;
   ContactSurface contact;
   FragmentFinder finder;
-  std::vector<Vec3> x, v;
+  std::vector<Vec3> x, v, ahead;
 };
 
 TEST(ContactSurface, GivesASampleToEachSideOfAnEdge) {

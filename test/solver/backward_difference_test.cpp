@@ -81,7 +81,7 @@ std::vector<Vec3> whereItIs(double time_step) {
 }
 
 TEST(BackwardDifference, LargeTurnsConvergeAtSecondOrder) {
-  const std::vector<Vec3> coarse = whereItIs(5e-4), middle = whereItIs(2.5e-4), fine = whereItIs(1.25e-4);
+  const std::vector<Vec3> coarse = whereItIs(2.5e-4), middle = whereItIs(1.25e-4), fine = whereItIs(6.25e-5);
   const double order = std::log2(largestDifference(coarse, middle) / largestDifference(middle, fine));
   EXPECT_NEAR(order, 2, 0.2);
 }

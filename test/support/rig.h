@@ -116,7 +116,8 @@ class Rig {
 
   /// Returns whether the step could be taken.
   bool advance() {
-    const bool done = step.advance(time, time_step, &motion);
+    step.begin(time_step, motion);
+    const bool done = step.advance(time, &motion);
     time += time_step;
     return done;
   }

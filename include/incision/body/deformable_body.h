@@ -28,6 +28,7 @@ struct BodyMotion {
   double mass = 0;                                ///< [kg]
   Vec3 momentum = Vec3::Zero();                   ///< [kg m/s]
   double kinetic_energy = 0, elastic_energy = 0;  ///< [J]
+  double potential_energy = 0;                    ///< of its weight: zero at the origin of the frame [J]
   double max_displacement = 0;                    ///< largest |x − X| over the points of the material [m]
 };
 
@@ -49,6 +50,8 @@ struct StepResult {
   std::vector<ToolReport> tools;  ///< of each tool
   int iterations = 0;             ///< of the linear solve; 0 when direct
   double residual = 0;            ///< relative
+  int solves = 0;                 ///< Newton steps for what touches, tears or cuts; 0 where nothing was to solve
+  bool settled = true;            ///< one more would hardly have changed a force
   double step_ms = 0;             ///< wall time of the whole step
   PhaseTimes phase_ms;
 };
@@ -114,6 +117,8 @@ class DeformableBody {
   const Scene& scene() const;
   const CutMesh& mesh() const;
   std::int64_t steps() const;
+  /// Of these, those in which the forces of couplers did not settle.
+  std::int64_t unsettledSteps() const;
   double time() const;  ///< steps × Δt [s]
 
   const std::vector<Vec3>& positions() const;   ///< x of every copy [m]

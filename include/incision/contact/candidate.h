@@ -16,10 +16,10 @@ inline constexpr double OBSTACLE_STIFFNESS = 200;
 /// Gaps this wide, in elements, are watched even where nothing moves: what a step's forces may close.
 inline constexpr double MARGIN = 0.1;
 
-/// A contact that begins inside, as where corners slide past each other or a scene starts with an overlap, or that gets
-/// deeper by coming upon another plane, leaves that depth alone at first and works it off at this speed, in elements a
-/// second, where it is an obstacle that it lies in: a spring that is there at once would come with energy from nowhere,
-/// and shoot the body out.
+/// A contact that begins inside, as where a scene starts with an overlap, or that gets deeper by coming upon another
+/// plane, leaves that depth alone: a spring that is there at once would come with energy from nowhere, and shoot the body
+/// out. The depth inside an obstacle in which it begins is worked off at this speed, in elements a second; that is the
+/// obstacle's work.
 inline constexpr double RECOVERY = 1;
 
 /// Contacts of the body with itself that begin deeper than this, in elements, are none: the point lies behind a face of
@@ -32,7 +32,8 @@ struct Candidate {
   int partner;           ///< the obstacle, or BODY
   Vec3 normal;           ///< n, unit, from the partner to the point
   double gap;            ///< g [m] when the step starts, negative inside
-  double ignored;        ///< depth that the force leaves alone, in which the contact began [m]
+  double ignored;        ///< depth that the force leaves alone [m]
+  double worked_off;     ///< how much of it is still to be worked off [m]
   Vec3 drift;            ///< of the partner in the step, where it is an obstacle [m]
   double stiffness;      ///< k [N/m]
   double size;           ///< h of the elements there [m]
@@ -47,7 +48,8 @@ struct Candidate {
 struct Touch {
   int sample, partner;   ///< of the candidate
   double gap;            ///< at the end of the step, less the depth that is ignored [m]
-  double ignored;        ///< of the candidate [m]
+  double ignored, worked_off;  ///< of the candidate [m]
+  double stiffness;      ///< of the candidate [N/m]
   Vec3 slip;             ///< at the end of the step [m]
   Vec3 normal_in_solid;  ///< of the candidate
   SurfaceVertex vertex;  ///< where it is, and

@@ -10,7 +10,7 @@
 namespace incision {
 
 /// Contact of a body's surface with something. At each place where a point may touch a plane with normal n the force on
-/// the point is, for the motion in the step Δy = Δt ẏ less the partner's,
+/// the point is, for the displacement in the step Δy less the partner's,
 ///   −k (g + n·Δy) n  where that presses,
 /// and tangentially −k_t (s + Δy_t) up to μ times the pressure. The drag s is kept from step to step, so what sticks
 /// does not creep; there is no restitution. Derived classes say what the body may touch.
@@ -20,9 +20,10 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   Contact(double friction, ContactSkin* skin) : friction_(friction), skin_(skin) {}
 
   void changed(const CutMesh& /*mesh*/) override {}
-  bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
-  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  bool begin(const StepStart& start, std::vector<Spring>* springs) override;
+  void takeBounds(Span<const Vec3> moved) override;
+  void update(Span<const Vec3> moved, Span<Spring> springs) override;
+  void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   void recall(const std::any& kept) override;
 
   /// Of the step taken last.
@@ -39,17 +40,17 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
  private:
   /// A candidate's state at a trial.
   struct Trial {
-    double gap;         ///< at the end of the step, as the force takes it [m]
-    Vec3 slip;          ///< s + Δy_t [m]
-    double tangential;  ///< k_t, or less where it slides [N/m]
+    double gap;  ///< at the end of the step, as the force takes it [m]
+    Vec3 slip;   ///< s + Δy_t [m]
     bool presses;
   };
-  Trial tryAt(const Candidate& candidate, double time_step, const std::vector<Vec3>& v_end) const;
-  Spring springOf(const Candidate& candidate, const Trial& trial) const;
+  static double pressureOf(const Candidate& candidate, const Trial& trial);
+  Trial tryAt(const Candidate& candidate, const Vec3& moved) const;
+  void softenStiffest(const StepStart& start);
   const std::vector<Touch>& touchesOnSkin();
   void continueTouches(const std::vector<Touch>& touches, double time_step);
   int sampleOfVertex(int sample) const;
-  Touch touchOf(const Candidate& candidate, const Trial& trial) const;
+  Touch touchOf(const Candidate& candidate, const Trial& trial, double most) const;
 
   double friction_;
   ContactSkin* skin_;
@@ -58,7 +59,7 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   // Of this step:
   std::vector<Touch> renumbered_;      // the memory's touches, by partner and sample of another skin
   std::vector<Candidate> candidates_;  // by partner and sample
-  std::vector<Trial> trials_, used_;   // of each; used_ is what the last springs stand for
+  std::vector<double> most_;           // friction's bound on each [N]
 };
 
 }  // namespace incision

@@ -19,7 +19,8 @@ class ContactSkin {
 
   const ContactSurface& surface() const { return surface_; }
   const std::vector<Vec3>& x() const { return x_; }  ///< of the vertices [m]
-  const std::vector<Vec3>& v() const { return v_; }  ///< [m/s]
+  /// How far they go in the step if nothing new acts [m].
+  const std::vector<Vec3>& ahead() const { return ahead_; }
   int threads() const { return threads_; }
 
   /// Of the surface that was taken over last; 0: none yet.
@@ -31,7 +32,7 @@ class ContactSkin {
   int threads_;
   ContactSurface surface_;
   std::uint64_t version_ = 0;
-  std::vector<Vec3> x_, v_;
+  std::vector<Vec3> x_, ahead_;
 };
 
 }  // namespace incision

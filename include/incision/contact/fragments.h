@@ -17,12 +17,12 @@ class FragmentFinder {
   /// Before the first search and whenever the surface changes.
   void surfaceChanged() { searched_x_.clear(); }
 
-  /// Candidates for a step of `time_step` [s] from positions `x` [m] and velocities `v` [m/s] of the surface's
-  /// vertices, appended in the order of the samples, at most one for each. A sample has a candidate where it lies
+  /// Candidates for a step from positions `x` [m] of the surface's vertices, which go by `ahead` [m] if nothing new acts,
+  /// appended in the order of the samples, at most one for each. A sample has a candidate where it lies
   /// before or just behind a triangle that faces it, and where the two could meet within the step.
   ///
   /// What lay behind a triangle of its own piece at rest has material in between, and is none.
-  void find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step,
+  void find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
             int threads, std::vector<Candidate>* candidates);
 
  private:
@@ -36,8 +36,8 @@ class FragmentFinder {
   using Cell = Eigen::Array<std::int64_t, 3, 1>;
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
-  bool isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step) const;
-  void search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& v, double time_step,
+  bool isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead) const;
+  void search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
               int threads);
   void fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x);
   template <typename Function>

@@ -36,9 +36,10 @@ class Cohesion : public WithMemory<Coupler, CohesionMemory> {
   void add(const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x);
 
   void changed(const CutMesh& mesh) override;
-  bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
-  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  bool begin(const StepStart& start, std::vector<Spring>* springs) override;
+  void takeBounds(Span<const Vec3> moved) override;
+  void update(Span<const Vec3> moved, Span<Spring> springs) override;
+  void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
 
   /// Energy that opening cracks has taken for good [J].
   double dissipated() const;

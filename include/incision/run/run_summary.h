@@ -14,13 +14,16 @@ class StepStatistics {
 
   /// Wall time [ms] that a share of the steps did not pass, by nearest rank; 0 without steps.
   double quantile(double share) const;
+  /// Newton steps that a share of the steps did not pass, likewise.
+  int solvesQuantile(double share) const;
   /// Mean over the steps; they add up to the mean step but for what lies between the phases. 0 without steps.
   PhaseTimes meanPhases() const;
-  /// Of the last step, its contacts, iterations and residual; all 0 without steps.
+  /// Of the last step, its contacts, solves, iterations and residual; all 0 without steps.
   const StepResult& last() const { return last_; }
 
  private:
   std::vector<double> step_ms_;
+  std::vector<int> solves_;
   PhaseTimes sum_;
   StepResult last_;
 };

@@ -6,10 +6,10 @@ namespace incision {
 
 /// Steps of second order in time, by the backward difference formula of two steps (BDF2; Curtiss and Hirschfelder
 /// 1952),
-///   x = x̂ + h v,  M (v − v̂) = h f(x, v),  h = 2/3 Δt,  x̂ = x_n + (x_n − x_{n−1})/3,  v̂ = v_n + (v_n − v_{n−1})/3:
-/// that is an implicit Euler step of length h from (x̂, v̂), so it costs no more and damps what is stiff as well. The
-/// rotations are always those at x_n + Δt v_n, which is as near to the step's end as second order asks for; those at
-/// the start would not be, and let spinning bodies gain energy.
+///   x = x̂ + h v,  M (v − v̂) = h f(x, v),  h = 2/3 Δt,  x̂ = x_n + (x_n − x_{n−1})/3,  v̂ = v_n + (v_n − v_{n−1})/3,
+/// free pieces in the frame of their rigid motion: that is an implicit Euler step of length h from (x̂, v̂), so it costs
+/// no more and damps what is stiff as well. The rotations are always those where the body goes if nothing new acts,
+/// which is as near to the step's end as second order asks for.
 class BackwardDifference {
  public:
   /// What outlasts a step.
@@ -30,8 +30,7 @@ class BackwardDifference {
 
  private:
   Memory memory_;
-  Motion start_;             // x̂, v̂; or the step's start while there is none to look back to
-  std::vector<Vec3> ahead_;  // x_n + Δt v_n
+  Motion start_;
 };
 
 }  // namespace incision

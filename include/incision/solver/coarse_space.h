@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,8 @@ class CoarseSpace {
   /// Adds the springs to the coarse matrix, in place of those before, and factorises it.
   void springsChanged(const CoupledRows& springs, int threads);
 
+  /// Makes the coarse right-hand side zero.
+  void clearResidual() { std::fill(right_.begin(), right_.end(), 0); }
   /// Coarse right-hand side of one aggregate from the residual of its rows.
   void restrictAggregate(int aggregate, const std::vector<Vec4f>& r);
   void solve();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "incision/base/disjoint_sets.h"
+#include "incision/base/lists.h"
 #include "incision/base/memory.h"
 #include "incision/cut/cut_mesh.h"
 #include "incision/rigid/wrench.h"
@@ -28,10 +29,14 @@ struct StepStart {
   const CutMesh& mesh;
   const std::vector<int>& piece;  ///< of each copy
   const Motion& motion;
+  const std::vector<Vec3>& ahead;  ///< how far each copy goes in the step if nothing new acts on it [m]
+  const std::vector<double>& inertia;     ///< what each copy resists with in the step: a third of trace(A_cc) [kg]
+  const std::vector<double>& piece_mass;  ///< of each piece, infinite where it is held [kg]
 };
 
 /// Something that acts on copies in a step by springs between them, or to something outside: contact, cohesion, ties, a
-/// blade's edge. The forces descend from a convex potential of the velocities at the step's end.
+/// blade's edge. The forces descend from a convex potential of the displacements in the step, as long as the bounds
+/// stay: what of a force depends on another force, as friction's limit on the pressure.
 ///
 /// Its memory changes in `changed` and `accept` alone: a step that fails leaves no trace in it.
 class Coupler : public Remembers {
@@ -39,16 +44,19 @@ class Coupler : public Remembers {
   /// The mesh has changed, or is another one.
   virtual void changed(const CutMesh& mesh) = 0;
 
-  /// A step starts. Returns whether the coupler may act in it; if not, `update` and `accept` are not called.
-  virtual bool begin(const StepStart& start) = 0;
+  /// A step starts. Appends the springs that may act in it; what they do is for `update` to say. Returns whether the
+  /// coupler takes part in the step; if not, it has no springs and the functions below are not called.
+  virtual bool begin(const StepStart& start, std::vector<Spring>* springs) = 0;
 
-  /// Appends the springs for these velocities at the step's end [m/s]; before the first solve they are a guess. Returns
-  /// whether the springs differ from those of the last call by enough for another solve.
-  virtual bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) = 0;
+  /// Takes the bounds that there are where the points of its springs are displaced by `moved` [m].
+  virtual void takeBounds(Span<const Vec3> /*moved*/) {}
 
-  /// The step has been taken. `felt` is what the springs have done to their other end, as wrenchOf says; without
-  /// another end it is zero.
-  virtual void accept(const StepSpan& span, const Motion& end, const Wrench& felt) = 0;
+  /// Gives each of its springs the force and the stiffness at these displacements [m] under the bounds taken last.
+  virtual void update(Span<const Vec3> moved, Span<Spring> springs) = 0;
+
+  /// The step has been taken, to these displacements [m] of its springs' points. `felt` is what the springs have done
+  /// to their other end, as wrenchOf says; without another end it is zero.
+  virtual void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) = 0;
 
   /// Whether the springs have another end, outside the body, whose wrench is asked for.
   virtual bool hasOtherEnd() const { return false; }

@@ -13,24 +13,28 @@ class Couplers {
   Couplers() = default;
   explicit Couplers(std::vector<Coupler*> list);
 
+  bool areNone() const { return list_.empty(); }
+
   void changed(const CutMesh& mesh);
 
-  /// A step starts. Returns whether any coupler may act in it.
+  /// A step starts. Returns whether any coupler takes part in it.
   bool begin(const StepStart& start);
 
-  /// Finds the springs for these velocities at the step's end [m/s]. Returns whether they differ from the last ones by
-  /// enough for another solve.
-  bool update(const std::vector<Vec3>& v_end);
+  /// Takes bounds, where points of the springs are displaced by `moved` [m].
+  void takeBounds(const std::vector<Vec3>& moved);
+  /// Gives the springs their forces and stiffnesses at these displacements [m].
+  void update(const std::vector<Vec3>& moved);
 
-  /// Those found last, each with the index of its coupler.
+  /// All that may act in the step, each with the index of its coupler. Those that do not press have neither force nor
+  /// stiffness.
   const std::vector<Spring>& springs() const { return springs_; }
 
-  /// What the springs do to the other end of each coupler, as wrenchOf says, for the copies' positions `x` [m] at the
-  /// step's start; zero for couplers that have no other end.
-  void findWrenches(const std::vector<Vec3>& x, const std::vector<Vec3>& v_end, std::vector<Wrench>* wrenches) const;
+  /// What the springs do to the other end of each coupler by these impulses [N s] in the step, `y` [m] being the lever
+  /// of each; zero for couplers that have no other end.
+  void findWrenches(const std::vector<Vec3>& impulses, const std::vector<Vec3>& y, std::vector<Wrench>* wrenches) const;
 
   /// The step has been taken. `felt` is the wrench on each coupler's other end.
-  void accept(const Motion& end, const std::vector<Wrench>& felt);
+  void accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt);
 
   /// Joins the pieces that couplers tie together: they are numbered anew, in the order in which they were. `piece` is
   /// that of each copy. Returns how many pieces there are.
@@ -40,8 +44,13 @@ class Couplers {
   void recall(const std::vector<std::any>& kept);
 
  private:
+  Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {
+    return {values.data() + first_[i], values.data() + first_[i + 1]};
+  }
+
   std::vector<Coupler*> list_;
-  std::vector<char> may_act_;  // in this step, of each coupler
+  std::vector<char> takes_part_;    // in this step, of each coupler
+  std::vector<std::size_t> first_;  // spring of each coupler; then how many there are
   StepSpan span_ = {};
   std::vector<Spring> springs_;
 };

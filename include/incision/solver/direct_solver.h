@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "incision/solver/linear_solver.h"
-#include "incision/solver/piece_norms.h"
 #include "incision/solver/sparse_cholesky.h"
 
 namespace incision {
@@ -14,8 +13,9 @@ class DirectSolver : public LinearSolver {
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                   std::vector<Vec3>* dv) override;
+  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override;
+  bool isDirect() const override { return true; }
 
   /// Blocks that are factorised for springs alone.
   int extraBlocks() const { return static_cast<int>(extra_.size()); }
@@ -33,14 +33,12 @@ class DirectSolver : public LinearSolver {
   std::vector<std::pair<int, int>> extra_;
   std::vector<char> used_;  // of each: by the springs now
   int idle_ = 0;            // factorisations in a row in which less than half of them were used
-  PieceNorms norms_;
   std::vector<double> ones_;  // of each row
   std::vector<int> source_;   // of each entry of the lower triangle, in blocks_
   BlockAssembler<double> assembler_;
   std::vector<double> blocks_, coupled_blocks_;  // of the pattern; with the extra ones and the springs
   std::vector<double> values_, b_, solution_;
   SparseCholesky cholesky_;
-  std::vector<Vec3> residual_;  // by copy
 };
 
 }  // namespace incision

@@ -6,7 +6,8 @@
 #include "incision/fem/boundary.h"
 #include "incision/solver/couplers.h"
 #include "incision/solver/linear_solver.h"
-#include "incision/solver/motion.h"
+#include "incision/solver/newton.h"
+#include "incision/solver/rigid_pieces.h"
 
 namespace incision {
 
@@ -22,9 +23,10 @@ struct StepTimes {
   double assembly = 0, solve = 0, update = 0;
 };
 
-/// One linearly implicit step at a time: from (x, v)
-///   (M + Δt C + Δt² K) Δv = Δt (f_ext − C v − f_int − Δt K v),  v += Δv,  x += Δt v,  C = α M + β K.
-class ImplicitStep {
+/// One linearly implicit step at a time, from the base x̂, v̂, u that the rigid motion of free pieces leaves:
+///   (M + Δt C + Δt² K) Δv = Δt (f_ext − α M (v̂ + u) − β K u − f_int(x̂) − Δt K u),  C = α M + β K,
+///   v ← v̂ + u + Δv,  x ← x̂ + Δt (u + Δv).
+class ImplicitStep : private StepEquations {
  public:
   /// `make_solver` makes the linear solvers; left out, they are those that the settings ask for.
   ImplicitStep(const CutMesh& mesh, const Materials& materials, Mass mass, Pressure pressure, bool warping,
@@ -47,15 +49,27 @@ class ImplicitStep {
   /// Forgets everything that came after the construction, as the mesh was replaced. topologyChanged must follow.
   void reset();
 
-  /// Advances from `time` by `time_step` [s], under the couplers where there are any; these must have begun the step.
-  /// The rotations are those at the positions `turned` where these are given, else at the step's start. Returns false,
-  /// with the motion and the memory as they were, when the system cannot be factorised or a value is not finite.
-  bool advance(double time, double time_step, Motion* motion, Couplers* couplers = nullptr,
-               const std::vector<Vec3>* turned = nullptr);
+  /// A step starts: finds its base. Returns how far each copy goes in the step if nothing new acts on it [m].
+  const std::vector<Vec3>& begin(double time_step, const Motion& motion);
+  /// Of this step, as StepStart says.
+  const std::vector<double>& inertia() const { return inertia_of_; }
+  const std::vector<double>& pieceMass() const { return piece_mass_; }
+  /// A step of implicit Euler starts from which those of second order may go on, with the rotations where it goes if
+  /// nothing new acts rather than where its base is.
+  void beginAhead(double time_step, const Motion& motion);
+  /// A step of second order starts, as RigidPieces says: one of 2/3 `time_step`; with the rotations ahead too.
+  void beginSecondOrder(double time_step, const Motion& now, const Motion& before);
+
+  /// Takes the step that has begun, at `time` [s], under the couplers where there are any; these must have begun it too.
+  /// Returns false, with the motion and the memory as they were, when the system cannot be factorised or a value is not
+  /// finite.
+  bool advance(double time, Motion* motion, Couplers* couplers = nullptr);
 
   const Assembly& assembly() const { return assembly_; }
-  const SolveStats& stats() const { return stats_; }
+  const SolveStats& stats() const { return newton_.stats(); }
   const StepTimes& times() const { return times_; }
+  /// How far the point of each spring has gone in the last step [m].
+  const std::vector<Vec3>& moved() const { return newton_.moved(); }
   /// What the body did to the other end of each coupler in the last step, by just the impulses that changed the body's
   /// momentum.
   const std::vector<Wrench>& felt() const { return felt_; }
@@ -66,22 +80,29 @@ class ImplicitStep {
   int pieces() const { return pieces_; }
 
  private:
-  void prepareMatrix(double time_step, const Motion& motion);
-  void prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
-  void giveUp();
-  bool trySolve(double time, double time_step, const Motion& motion, Couplers* couplers);
-  bool solveCoupled(double time_step, const Motion& motion, Couplers* couplers);
-  bool updateSprings(const Motion& motion, Couplers* couplers);
-  void findEnd(const Motion& motion);
-  double searchLine(double time_step, const Motion& motion, Couplers* couplers);
-  double slopeAlongSearch(double time_step, const Motion& motion);
-  bool joinGroups();
-  const std::vector<Spring>& springs() const;
-  LinearSolver* current() { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
+  // The equations of the step.
+  void residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) override;
+  bool setSprings(const std::vector<Spring>& springs) override;
+  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override;
+  bool isDirect() const override;
+  void rebase(const std::vector<Vec3>& impulses) override;
+  bool fallBack(const std::vector<Spring>& springs) override;
+
+  void findAhead(const Motion& motion);
+  void findInertia();
+  void rotateAhead(const Motion& motion);
+  void externalImpulses(double time);
+  void findRounding();
+  void prepareMatrix();
+  void prepare(LinearSolver* solver, bool new_system);
+  bool solve(double time, const Motion& motion, Couplers* couplers);
+  bool joinGroups(const std::vector<Spring>& springs);
+  void findWrenches(const Couplers& couplers, const Motion& start);
   void remember();
-  SolveStats solve(double time_step, const Motion& motion, const Basis& basis);
-  void externalForces(double time);
-  void residual(double time_step, const Motion& motion, const std::vector<Vec3>& dv, std::vector<Vec3>* r);
+  void giveUp();
+  LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
+  SystemFactors factors() const;
 
   const CutMesh& mesh_;
   BoundaryConditions conditions_;
@@ -89,26 +110,33 @@ class ImplicitStep {
   MakeLinearSolver make_solver_;
   Assembly assembly_;
   std::unique_ptr<LinearSolver> solver_;
-  std::vector<int> piece_;  // of each copy
+  std::unique_ptr<LinearSolver> fallback_;  // direct, from the first solve that did not converge on
+  std::vector<int> piece_;                  // of each copy
   int pieces_ = 0;
+  std::vector<double> piece_mass_;  // of each piece, infinite where it is held [kg]
+  std::vector<double> inertia_of_;  // of each copy: a third of trace(A_cc) [kg]
   Memory memory_;
+  RigidPieces rigid_;
+  PieceNorms norms_;
+  Newton newton_;
   std::vector<int> held_nodes_, held_;          // hold of each node and copy, or −1
   std::vector<std::vector<Vec3>> load_forces_;  // of each load, by copy [N]
-  bool topology_known_ = false, matrix_known_ = false;
-  double matrix_time_step_ = 0;
-  std::unique_ptr<LinearSolver> fallback_;  // direct, from the first solve that did not converge on
-  std::vector<int> touched_;                // since solver_ last looked
-  std::vector<double> rounding_;
-  Basis again_basis_;                // of the first guess for another solve in one step
+  std::vector<int> touched_;                    // since solver_ last looked
+  bool topology_known_ = false, matrix_known_ = false, norms_known_ = false;
+  double matrix_time_step_ = 0, norms_time_step_ = 0;
+  bool had_springs_ = false;         // the matrix that the solver knows has springs in it
+  DisjointSets group_sets_;          // of the groups that springs join
   int fallback_steps_at_start_ = 0;  // of the step, in case it fails
   std::vector<int> group_at_start_;  // likewise; empty: they are as they were
-  DisjointSets group_sets_;          // of the groups that springs join
-  std::vector<Vec3> dv_, external_, y_, inertia_, v_end_;
-  std::vector<Vec3> search_start_, search_direction_, search_residual_;  // of the line search, in terms of Δv
-  std::vector<Wrench> felt_, felt_at_start_;                             // at Δv, and where the line search starts
-  const std::vector<Spring>* springs_ = nullptr;                         // that act now; null: none
-  bool had_springs_ = false;  // the matrix that the solver knows has springs in it
-  SolveStats stats_;
+  // Of this step:
+  double time_step_ = 0;
+  StepBase base_;
+  bool matrix_ready_ = false;
+  const std::vector<Vec3>* start_x_ = nullptr;
+  std::vector<Vec3> given_;  // momentum that the base has got from couplers, by copy [N s]; empty: none
+  std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, levers_;
+  std::vector<double> rounding_;
+  std::vector<Wrench> felt_;
   StepTimes times_;
 };
 

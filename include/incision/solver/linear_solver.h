@@ -11,19 +11,6 @@
 
 namespace incision {
 
-/// What a solve took.
-struct SolveStats {
-  int iterations = 0;  ///< 0 for a direct solve
-  /// ‖r‖/‖b‖ in the norm scaled by the diagonal of A, r reckoned in double from the forces; the worst piece's, as
-  /// PieceNorms measures it.
-  double residual = 0;
-  bool converged = true;
-};
-
-/// The right-hand side less A Δv, at every copy, for a trial Δv at every copy; entries of copies that are left out are
-/// ignored.
-using Residual = std::function<void(const std::vector<Vec3>& dv, std::vector<Vec3>* r)>;
-
 /// What has changed since a solver last looked.
 struct SystemChange {
   /// Of each copy, whether its Δv is no unknown of this solver: it is held, or another solver finds it.
@@ -45,13 +32,18 @@ class LinearSolver {
   /// After the rotations changed; `x` are the copies' positions [m]. springsChanged must follow.
   virtual void matrixChanged(const std::vector<Vec3>& x) = 0;
 
-  /// After the springs changed, those of a step of `time_step` [s]. Returns false when A is not positive definite.
+  /// After the springs changed, those of a step of `time_step` [s]. Those that are not stiff are left out. Returns false when A is not positive definite.
   virtual bool springsChanged(const std::vector<Spring>& springs, double time_step) = 0;
 
-  /// Finds `dv`, which comes with the values of the copies that are left out. The solution is likely near a sum of
-  /// multiples of the vectors in `basis`. `rounding` bounds what rounding does to the residual at each copy.
-  virtual SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                           std::vector<Vec3>* dv) = 0;
+  /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. Each piece's |left|²
+  /// in the norm scaled by the diagonal of A is then at most its `limit`, or as near to it as the solver gets; pieces
+  /// that are there to begin with have d = 0. The solution is likely near a sum of multiples of the vectors in `basis`,
+  /// where there is one. Returns how many iterations that took.
+  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+                      std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
+
+  /// Whether what `correct` finds is as near as numbers in double allow, whatever the limit.
+  virtual bool isDirect() const = 0;
 };
 
 std::unique_ptr<LinearSolver> makeLinearSolver(const SolverSettings& settings, bool warping);

@@ -6,34 +6,38 @@
 
 namespace incision {
 
-/// ‖r‖/‖b‖ piece by piece, over the free copies, in the norm scaled by the diagonal of A. A piece at rest is measured
-/// by its mass's share of the whole, and none below its rounding: so no small piece is left unsolved, and none is asked
-/// for more digits than there are.
+/// How much is left to solve, piece by piece, over the free copies, in the norm scaled by the diagonal of A. Each piece
+/// is measured by what acts on it. A piece on which little acts is measured by its mass's share of the whole, and none
+/// below its rounding: so no small piece is left unsolved, and none is asked for more digits than there are.
 class PieceNorms {
  public:
-  /// `rows`: the free copies in the solver's order; `piece` of each copy; `scale`: 1/√diagonal of each row.
-  void systemChanged(const Assembly& assembly, const std::vector<int>& rows, const std::vector<int>& piece,
-                     const std::vector<double>& scale);
+  /// `held`: the clamp of each copy or −1; `piece` of each copy.
+  void systemChanged(const Assembly& assembly, const SystemFactors& factors, const std::vector<int>& held,
+                     const std::vector<int>& piece, int pieces);
 
-  /// Takes the measure of each piece from b, the residual at Δv = 0, by copy.
-  void setRightHandSide(const std::vector<Vec3>& b, const std::vector<double>& rounding, double tolerance);
+  /// |values|² of each piece.
+  void squares(const std::vector<Vec3>& values, std::vector<double>* sums) const;
 
-  /// The largest ‖r‖/‖b‖ over the pieces, of the residual r by copy.
+  /// Takes the measure of each piece from what acts on it [N s], by copy: the larger of what is left to solve where Δv =
+  /// 0, and of the impulse of its weight and loads. `rounding` bounds what rounding does to the residual at each copy.
+  void measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads, const std::vector<double>& rounding,
+               double tolerance);
+  /// Makes the measure at least that of these impulses.
+  void raise(const std::vector<Vec3>& impulses);
+
+  /// |measure|² of each piece.
+  const std::vector<double>& measures() const { return measure_; }
+  /// The largest |r| over measure among the pieces.
   double worstRatio(const std::vector<Vec3>& r);
-  /// The largest ‖r‖/‖b‖ over the pieces, of r scaled by 1/√diagonal and by 1/total(), by row.
-  double worstRatio(const std::vector<Vec4f>& r);
 
-  /// √Σ‖b‖² over the pieces.
-  double total() const { return total_; }
+  /// Whether a float matrix would leave more rounding in A Δv than the tolerance allows.
+  bool floatIsTooCoarse(const std::vector<Vec3>& dv, double tolerance) const;
 
  private:
-  double worstSum(double unit) const;
-
-  std::vector<int> rows_, piece_;      // copy and piece of each row
-  std::vector<double> squared_scale_;  // of each row
-  std::vector<double> mass_;           // of each piece [kg]
+  std::vector<int> piece_;             // of each copy
+  std::vector<double> squared_scale_;  // 1/diagonal of each copy; 0: it is held
+  std::vector<double> mass_;           // of each piece's free copies [kg]
   std::vector<double> measure_, sum_;  // squared, of each piece
-  double total_ = 0;
 };
 
 }  // namespace incision

@@ -12,13 +12,14 @@ namespace incision {
 class PiecewiseSolver : public LinearSolver {
  public:
   /// Groups of up to `direct_up_to` free copies are factorised.
-  PiecewiseSolver(double tolerance, int direct_up_to) : direct_up_to_(direct_up_to), iterative_(tolerance) {}
+  explicit PiecewiseSolver(int direct_up_to) : direct_up_to_(direct_up_to) {}
 
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                   std::vector<Vec3>* dv) override;
+  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override;
+  bool isDirect() const override { return !any_iterative_; }
 
  private:
   std::vector<bool> directGroups(const Assembly& assembly, const SystemChange& change,

@@ -9,8 +9,9 @@
 
 namespace incision {
 
-/// A linear spring between copies, or between copies and something outside. With y = Σ_i weights[i] x_i the
-/// force F − K Δt ẏ acts on y at the end of a step, ẏ being of the velocities there; each copy feels weights[i] of it.
+/// A spring between copies, or between copies and something outside. It acts on y = Σ_i weights[i] x_i; each copy feels
+/// weights[i] of its force. At the displacement of y in the step, the rigid motion of pieces included, its force on y
+/// at the step's end is F − K Δy: there, and near it as far as the spring is linear.
 struct Spring {
   std::array<int, 8> copies;  ///< the first `count` of them, each once
   std::array<double, 8> weights;
@@ -28,25 +29,34 @@ struct Spring {
     copies[i] = copy;
     weights[i] += weight;
   }
+
+  /// The force on y [N] at a displacement of y [m].
+  Vec3 at(const Vec3& moved) const { return force - stiffness * moved; }
+
+  /// Takes a stiffness, and the force that there is at a displacement.
+  void set(const Mat3& K, const Vec3& force_there, const Vec3& moved) {
+    stiffness = K;
+    force = force_there + K * moved;
+  }
+
+  /// Whether the spring adds to the matrix.
+  bool isStiff() const { return !stiffness.isZero(0); }
 };
 
-/// Σ_i weights[i] values[copies[i]]: y of the positions, ẏ of the velocities.
+/// Σ_i weights[i] values[copies[i]]: y of the positions, Δy of the displacements.
 inline Vec3 weightedSum(const Spring& spring, const std::vector<Vec3>& values) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < spring.count; ++i) sum += spring.weights[i] * values[spring.copies[i]];
   return sum;
 }
 
-/// Δt times the force on y [N s], for the velocities `v_end` at the end of the step.
-Vec3 impulseOf(const Spring& spring, double time_step, const std::vector<Vec3>& v_end);
+/// Adds to each copy its share of what acts on y.
+inline void addShares(const Spring& spring, const Vec3& on_y, std::vector<Vec3>* sums) {
+  for (int i = 0; i < spring.count; ++i) (*sums)[spring.copies[i]] += spring.weights[i] * on_y;
+}
 
-/// Adds Δt times the forces [N s] of the springs at the velocities `v_end` at the end of the step.
-void addImpulses(const std::vector<Spring>& springs, double time_step, const std::vector<Vec3>& v_end,
-                 std::vector<Vec3>* impulses);
-
-/// What the body does to the spring's other end, on the mean of a step of `time_step` [s]: against the spring's force,
-/// about the origin of the body's frame. It acts where the copies are at the step's start, at `x` [m]: by that lever it
-/// changes Σ x × m v from the step's start to its end. `v_end` are the velocities at the end [m/s].
-Wrench wrenchOf(const Spring& spring, double time_step, const std::vector<Vec3>& x, const std::vector<Vec3>& v_end);
+/// What the body does to the spring's other end, about the origin of the body's frame: against `force` [N] on y, which
+/// is the mean over a step. By the lever `y` [m] it changes Σ x × m v of the body.
+Wrench wrenchOf(const Vec3& force, const Vec3& y);
 
 }  // namespace incision

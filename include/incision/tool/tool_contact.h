@@ -20,7 +20,7 @@ class ToolContact : public Contact {
 
   const Obstacles& shapes() const { return shapes_; }
 
-  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   bool hasOtherEnd() const override { return true; }
 
  protected:

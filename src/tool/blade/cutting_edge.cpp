@@ -15,9 +15,6 @@ constexpr double EDGE_STIFFNESS = 20;
 constexpr double STATIONS_PER_ELEMENT = 8;
 constexpr double MAX_STATIONS = 256;
 
-/// Change of a stiffness, as a share of it, that takes another solve.
-constexpr double STIFFNESS_TOLERANCE = 0.005;
-
 /// A point is in an element up to this beyond its faces, in its own coordinates: rounding.
 constexpr double OUTSIDE = 1e-9;
 
@@ -71,7 +68,7 @@ void CuttingEdge::leave() {
   depth_ = 0;
 }
 
-bool CuttingEdge::begin(const StepStart& start) {
+bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
   in_tissue_ = false;
   depth_ = 0;
   if (!tool_->in_place || !tool_->active) return false;
@@ -89,6 +86,8 @@ bool CuttingEdge::begin(const StepStart& start) {
     const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0);
     resists = resists || stations_[i].tissue.count > 0 || forgets;
   }
+  for (const Station& station : stations_)
+    if (station.tissue.count > 0) springs->push_back(station.tissue);
   return resists && cutting_force_ > 0;
 }
 
@@ -164,53 +163,63 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
   return std::nullopt;
 }
 
-CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const {
+CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, const Vec3& moved) const {
+  const Vec3 slip = station.start.slip + station.drift - moved;
   Trial trial;
-  trial.slip = station.start.slip + station.drift - time_step * weightedSum(station.tissue, v_end);
-  const Vec3 along = trial.slip.dot(direction_) * direction_, across = trial.slip - along;
-  trial.across = trial.along = station.stiffest;
-  const double most = cutting_force_ * share_;
-  trial.yields = trial.across * across.norm() > most;
-  if (trial.yields) trial.across = most / across.norm();
-  if (across.dot(station.start.forward) < 0) trial.across = 0;
-  // Secants: so the system stays symmetric.
-  const double most_along = friction_ * trial.across * across.norm();
-  if (trial.along * along.norm() > most_along) trial.along = most_along / along.norm();
+  trial.along = slip.dot(direction_) * direction_;
+  trial.across = slip - trial.along;
+  trial.across_stiffness = trial.along_stiffness = station.stiffest;
+  const double most = cutting_force_ * share_, across = trial.across.norm(), along = trial.along.norm();
+  trial.yields = station.stiffest * across > most;
+  if (trial.yields) trial.across_stiffness = most / across;
+  if (station.is_free) trial.across_stiffness = 0;
+  trial.slides = station.stiffest * along > station.most_along;
+  if (trial.slides) trial.along_stiffness = station.most_along / along;
   return trial;
 }
 
-bool CuttingEdge::update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) {
-  bool differ = false;
-  const auto differs = [](double a, double b) { return std::abs(a - b) > STIFFNESS_TOLERANCE * std::max(a, b); };
+/// Friction along the edge may be as large as the force across it allows. What has been cut does not push back.
+void CuttingEdge::takeBounds(Span<const Vec3> moved) {
+  int i = 0;
   for (Station& station : stations_) {
     if (station.tissue.count == 0) continue;
-    const Trial trial = tryAt(station, span.time_step, v_end);
-    differ = differ || differs(trial.across, station.across) || differs(trial.along, station.along);
-    station.across = trial.across;
-    station.along = trial.along;
-    if (trial.across == 0) continue;
-    Spring spring = station.tissue;
-    const Mat3 along = direction_ * direction_.transpose();
-    spring.stiffness = trial.across * (Mat3::Identity() - along) + trial.along * along;
-    spring.force = spring.stiffness * (station.start.slip + station.drift);
-    springs->push_back(spring);
+    station.is_free = false;
+    const Trial trial = tryAt(station, moved[i++]);
+    station.is_free = trial.across.dot(station.start.forward) < 0;
+    station.most_along = station.is_free ? 0 : friction_ * trial.across_stiffness * trial.across.norm();
   }
-  return differ;
 }
 
-void CuttingEdge::accept(const StepSpan& span, const Motion& end, const Wrench& felt) {
+/// The force across descends from ½ k a² that goes on evenly from the cutting force on, and so does that along from its
+/// bound on.
+void CuttingEdge::update(Span<const Vec3> moved, Span<Spring> springs) {
+  int i = 0;
+  for (const Station& station : stations_) {
+    if (station.tissue.count == 0) continue;
+    const Trial trial = tryAt(station, moved[i]);
+    const Mat3 along = direction_ * direction_.transpose();
+    Mat3 across = Mat3::Identity() - along;
+    if (trial.yields) across -= trial.across * trial.across.transpose() / trial.across.squaredNorm();
+    const Mat3 stiffness = trial.across_stiffness * across + (trial.slides ? 0 : trial.along_stiffness) * along;
+    springs[i].set(stiffness, trial.across_stiffness * trial.across + trial.along_stiffness * trial.along, moved[i]);
+    ++i;
+  }
+}
+
+void CuttingEdge::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& felt) {
   tool_->feel(span, felt);
+  int next = 0;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     StationMemory& station = memory_[i];
     station = stations_[i].start;
     if (stations_[i].tissue.count == 0) continue;
-    const Trial trial = tryAt(stations_[i], span.time_step, end.v);
-    const Vec3 along = trial.slip.dot(direction_) * direction_, across = trial.slip - along;
-    station.slip = (trial.across * across + trial.along * along) / stations_[i].stiffest;
-    if (trial.yields && trial.across > 0) station.forward = across.normalized();
-    if (trial.across > 0) continue;
-    station.slip = across;
-    if (across.norm() >= TURNED * size_) station = StationMemory();
+    const Trial trial = tryAt(stations_[i], moved[next++]);
+    station.slip =
+        (trial.across_stiffness * trial.across + trial.along_stiffness * trial.along) / stations_[i].stiffest;
+    if (trial.yields && !stations_[i].is_free) station.forward = trial.across.normalized();
+    if (!stations_[i].is_free) continue;
+    station.slip = trial.across;
+    if (trial.across.norm() >= TURNED * size_) station = StationMemory();
   }
 }
 

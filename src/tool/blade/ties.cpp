@@ -106,26 +106,20 @@ void Ties::changed(const CutMesh& mesh) {
   for (Tie& tie : memory_.ties) tie.countSeparated(mesh);
 }
 
-bool Ties::begin(const StepStart& start) {
-  springs_.clear();
+bool Ties::begin(const StepStart& start, std::vector<Spring>* springs) {
   for (const Tie& tie : memory_.ties) {
     const Part &plus = start.mesh.parts()[tie.section.plus], &minus = start.mesh.parts()[tie.section.minus];
     const double s = std::max((tie.share() - tie.share_then) / (1 - tie.share_then), FIRST_SHARE);
     const double stiffness = tie.steepness * (1 - s) / s * (1 - s) * tie.area / 3;
     for (const Barycentric& anchor : tie.anchors) {
-      Spring& spring = springs_.emplace_back();
+      Spring& spring = springs->emplace_back();
       for (int I = 0; I < 4; ++I) spring.add(plus.copies[I], anchor[I]);
       for (int I = 0; I < 4; ++I) spring.add(minus.copies[I], -anchor[I]);
       spring.stiffness = stiffness * Mat3::Identity();
       spring.force = -stiffness * (at(plus, anchor, start.motion.x) - at(minus, anchor, start.motion.x));
     }
   }
-  return !springs_.empty();
-}
-
-bool Ties::update(const StepSpan& /*span*/, const std::vector<Vec3>& /*v_end*/, std::vector<Spring>* springs) {
-  springs->insert(springs->end(), springs_.begin(), springs_.end());
-  return false;
+  return !memory_.ties.empty();
 }
 
 Ties::Ahead Ties::ahead(int element, const Barycentric& point) const {

@@ -35,9 +35,10 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   void leave();
 
   void changed(const CutMesh& /*mesh*/) override {}
-  bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
-  void accept(const StepSpan& span, const Motion& end, const Wrench& felt) override;
+  bool begin(const StepStart& start, std::vector<Spring>* springs) override;
+  void takeBounds(Span<const Vec3> moved) override;
+  void update(Span<const Vec3> moved, Span<Spring> springs) override;
+  void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   bool hasOtherEnd() const override { return true; }
 
   /// Whether a part of the edge was in the tissue when the last step started, and how far that came below the skin, at
@@ -50,15 +51,16 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   struct Station {
     StationMemory start;
     Spring tissue;                 // the material at the station; count 0: none resists
-    Vec3 drift = Vec3::Zero();     // of the edge in the step [m]
-    double stiffest = 0;           // the most stiffness it can have [N/m]
-    double across = 0, along = 0;  // stiffness that the last springs have [N/m]
+    Vec3 drift = Vec3::Zero();  // of the edge in the step [m]
+    double stiffest = 0;        // the most stiffness it can have [N/m]
+    double most_along = 0;      // bound on the force along the edge [N]
+    bool is_free = false;       // the edge goes back, and nothing resists that
   };
   /// A station's state at a trial.
   struct Trial {
-    Vec3 slip;             // [m]
-    double across, along;  // stiffness [N/m]; 0: it is free
-    bool yields;
+    Vec3 across, along;                      // slip [m]
+    double across_stiffness, along_stiffness;  // force over slip [N/m]
+    bool yields, slides;                     // across, along
   };
   /// What is where a point is: the material that resists there, nothing in a slit, the sides of a tied section alike;
   /// and how far below the skin, at rest [m].
@@ -79,7 +81,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   void beginStation(const Vec3& point, const StepStart& start, Station* station);
   std::optional<Found> findTissue(const Vec3& point, const Swept& swept, const CutMesh& mesh);
   bool isInSlit(const Vec3& point, const Swept& swept, const Near& near, const CutMesh& mesh) const;
-  Trial tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const;
+  Trial tryAt(const Station& station, const Vec3& moved) const;
 
   double cutting_force_, friction_;  // [N/m], –
   Edge edge_;

@@ -80,9 +80,10 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
   void sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, int crack);
 
   void changed(const CutMesh& mesh) override;
-  bool begin(const StepStart& start) override;
-  bool update(const StepSpan& span, const std::vector<Vec3>& v_end, std::vector<Spring>* springs) override;
-  void accept(const StepSpan& /*span*/, const Motion& /*end*/, const Wrench& /*felt*/) override {}
+  bool begin(const StepStart& start, std::vector<Spring>* springs) override;
+  void update(Span<const Vec3> /*moved*/, Span<Spring> /*springs*/) override {}  // they are linear
+  void accept(const StepSpan& /*span*/, Span<const Vec3> /*moved*/, const Motion& /*end*/,
+              const Wrench& /*felt*/) override {}
   void joinPieces(const CutMesh& mesh, const std::vector<int>& piece, DisjointSets* sets) const override;
 
   /// What strokes have cut so far, at rest [m²].
@@ -103,7 +104,6 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
 
   const Materials& materials_;
   bool progressive_;
-  std::vector<Spring> springs_;  // of this step
 };
 
 }  // namespace incision

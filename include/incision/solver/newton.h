@@ -1,0 +1,125 @@
+#pragma once
+
+#include <vector>
+
+#include "incision/solver/couplers.h"
+#include "incision/solver/first_guess.h"
+#include "incision/solver/piece_norms.h"
+#include "incision/solver/rigid_guess.h"
+
+namespace incision {
+
+/// What the solution of a step took.
+struct SolveStats {
+  int iterations = 0;  ///< of all linear solves; 0 for direct ones
+  int solves = 0;      ///< Newton steps; 0 where there was nothing to solve
+  /// What is left over what acts, as PieceNorms measures it, reckoned in double from the forces.
+  double residual = 0;
+  bool converged = true;  ///< the linear solves reached the tolerance
+  /// One more Newton step would change no spring's force by more than 1e-3 of the largest in its group of pieces.
+  bool settled = true;
+};
+
+/// The equations of a step: those of the body alone, which are affine in Δv, and the solver of their matrix.
+class StepEquations {
+ public:
+  virtual ~StepEquations() = default;
+
+  /// The right-hand side less A Δv at every copy [N s], without springs; at held copies it has no meaning.
+  virtual void residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) = 0;
+
+  /// Takes over the springs that act, into the matrix and into the groups of pieces between which they do. Returns false
+  /// when the matrix is not positive definite.
+  virtual bool setSprings(const std::vector<Spring>& springs) = 0;
+
+  /// LinearSolver::correct and isDirect.
+  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+                      std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
+  virtual bool isDirect() const = 0;
+
+  /// Takes these impulses of springs on copies [N s] into the base: the step then starts from the rigid motion that they
+  /// leave, and `ahead` and the residual are those from there.
+  virtual void rebase(const std::vector<Vec3>& impulses) = 0;
+
+  /// Goes over to a direct solver with these springs. Returns false where that cannot be.
+  virtual bool fallBack(const std::vector<Spring>& springs) = 0;
+};
+
+/// What is given in a step.
+struct StepProblem {
+  StepEquations* equations;
+  Couplers* couplers;  ///< null: none takes part
+  double time_step;    ///< [s]
+  double tolerance;    ///< of linear solves
+  const std::vector<Vec3>& ahead;        ///< how far each copy goes where Δv = 0 [m]
+  const std::vector<Vec3>& loads;        ///< impulse of weight and loads on each copy [N s]
+  const std::vector<double>& rounding;   ///< of the residual at each copy [N s]
+  const Basis& basis;                    ///< the solution is likely near a sum of its vectors
+  const std::vector<int>& piece, &held;  ///< the piece of each copy, and its clamp or −1
+  const std::vector<int>& group;         ///< of each copy; springs join groups as they are taken over
+  const RigidPieces& rigid;
+  const std::vector<Vec3>& x;
+};
+
+/// Finds the Δv at which the forces of the body and of its couplers balance: the minimum of a convex function of Δv as
+/// long as the bounds stay, by Newton's method with a line search in each group of pieces. Solves before the last one are
+/// loose, and the bounds are taken anew after each.
+class Newton {
+ public:
+  /// Limit of the Newton steps in a step.
+  static constexpr int MAX_SOLVES = 50;
+
+  /// `dv` comes with the values of the held copies. Returns false where a matrix is not positive definite, or a linear
+  /// solve does not converge.
+  bool solve(const StepProblem& problem, PieceNorms* norms, std::vector<Vec3>* dv);
+
+  const SolveStats& stats() const { return stats_; }
+  /// Of each spring, what it has done to the body [N s], and how far its point has gone [m].
+  const std::vector<Vec3>& impulses() const { return impulses_; }
+  const std::vector<Vec3>& moved() const { return moved_; }
+  /// What all springs have done to each copy [N s].
+  const std::vector<Vec3>& impulsesOnCopies() const { return on_copies_; }
+
+ private:
+  /// Springs act within groups, so each goes its own share of the way.
+  struct Group {
+    double slope = 0, curvature = 0;  // of the body alone, along the direction from its start
+    double share = 1, near = 0, far = 1;
+    double at_start = 0, here = 0, bend = 0;  // slopes of all, at the start and at the share; and how it bends there
+    bool searches = false;
+    double largest = 0, off = 0;  // squares [N²]: of the largest force, of the largest difference
+    bool settled = false;
+  };
+
+  void start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv);
+  void startAt(const StepProblem& p, const std::vector<Vec3>& guess, std::vector<Vec3>* dv);
+  void place(const StepProblem& p, const std::vector<Vec3>& dv);
+  void guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
+  bool takeSprings(const StepProblem& p);
+  bool findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight);
+  void loosen(const StepProblem& p, const PieceNorms& norms);
+  void searchLines(const StepProblem& p);
+  void trySprings(const StepProblem& p, bool on_the_way);
+  void takeStep(const StepProblem& p, std::vector<Vec3>* dv);
+  bool isSettled(const StepProblem& p, const PieceNorms& norms);
+  bool isSettledAnew(const StepProblem& p, const PieceNorms& norms);
+  double ratioLeft(PieceNorms* norms);
+  void addImpulses(const std::vector<Vec3>& impulses, std::vector<Vec3>* sums) const;
+  static int groupOf(const StepProblem& p, const Spring& spring);
+
+  SolveStats stats_;
+  RigidGuess rigid_guess_;
+  std::vector<Spring> used_;             // what the matrix has of the springs
+  std::vector<Vec3> moved_, impulses_;   // of each spring
+  std::vector<Vec3> way_, tried_;        // of each spring: Δt times the direction of its point, a displacement on it
+  std::vector<Vec3> alone_;              // the residual without springs at Δv, by copy
+  std::vector<Vec3> direction_, pull_;   // by copy: d, and A d without springs
+  std::vector<Vec3> right_, left_;       // of a linear solve, by copy
+  std::vector<Vec3> on_copies_;
+  std::vector<double> limit_, square_;   // of each piece
+  std::vector<int> group_of_piece_;
+  std::vector<double> group_square_;
+  std::vector<Group> groups_;            // by the number of their lowest piece
+};
+
+}  // namespace incision

@@ -1,0 +1,287 @@
+#include "incision/solver/newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace incision {
+namespace {
+
+/// What a solve before the last leaves of a group's residual: the springs it is made with are not yet the right ones.
+constexpr double LOOSE = 1e-2;
+
+/// A spring's force may still change by this share of the largest one in its group.
+constexpr double SETTLED = 1e-3;
+
+/// A solve must leave less than this of the residual to be followed by another with the same springs.
+constexpr double MIN_PROGRESS = 0.3;
+
+/// Bounds are taken anew after so many Newton steps at most. Where they go round in a circle by then the last ones stay:
+/// with these there is a minimum, at which no energy comes in.
+constexpr int MAX_BOUNDS = 25;
+
+/// A line search ends where less than this share of the slope at its start is left, or after so many trials.
+constexpr double SEARCH_TOLERANCE = 0.05;
+constexpr int MAX_SEARCH = 20;
+
+}  // namespace
+
+bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv) {
+  const bool coupled = p.couplers != nullptr;
+  start(p, norms, dv);
+  if (stats_.residual <= p.tolerance) return true;
+  if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance)) startAt(p, p.basis[0], dv);
+  if (coupled) guessRigidly(p, dv);
+  bool tight = !coupled, same_springs = false;
+  for (bool first = true;; first = false) {
+    if (!same_springs && !takeSprings(p)) return false;
+    const double before = stats_.residual;
+    if (!findDirection(p, *norms, first, tight)) {
+      if (!p.equations->fallBack(used_)) return false;
+      startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
+      same_springs = true;
+      continue;
+    }
+    if (coupled && !same_springs) searchLines(p);
+    takeStep(p, dv);
+    stats_.settled = !coupled || isSettled(p, *norms);
+    const bool last_springs = stats_.settled || stats_.solves >= MAX_SOLVES;
+    if (tight) p.equations->residual(*dv, &alone_);
+    stats_.residual = ratioLeft(norms);
+    if (tight) {
+      const bool done = stats_.residual <= p.tolerance || p.equations->isDirect();
+      if (done && last_springs) {
+        stats_.settled = stats_.settled && (stats_.solves <= MAX_BOUNDS || isSettledAnew(p, *norms));
+        return true;
+      }
+      // What float has lost, a fresh residual finds; where it does not, a direct solver may.
+      const bool finite = std::isfinite(stats_.residual);
+      if (!done && (same_springs || !finite) && !(stats_.residual < MIN_PROGRESS * before)) {
+        if (!p.equations->fallBack(used_)) break;
+        if (!finite) startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
+      }
+    }
+    same_springs = tight = last_springs;
+  }
+  stats_.converged = false;
+  return false;
+}
+
+/// Where nothing drives the body on from Δv = 0 there is nothing to solve.
+void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv) {
+  stats_ = SolveStats();
+  used_.clear();
+  if (p.couplers) used_ = p.couplers->springs();
+  impulses_.assign(used_.size(), Vec3::Zero());
+  way_ = tried_ = impulses_;
+  for (std::size_t c = 0; c < dv->size(); ++c)
+    if (p.held[c] < 0) (*dv)[c].setZero();
+  p.equations->residual(*dv, &alone_);
+  norms->measure(alone_, p.loads, p.rounding, p.tolerance);
+  groups_.assign(norms->measures().size(), Group());
+  if (p.couplers) {
+    place(p, *dv);
+    p.couplers->takeBounds(moved_);
+    p.couplers->update(moved_);
+    for (std::size_t i = 0; i < used_.size(); ++i)
+      impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
+  }
+  on_copies_.assign(alone_.size(), Vec3::Zero());
+  addImpulses(impulses_, &on_copies_);
+  right_ = alone_;
+  for (std::size_t c = 0; c < right_.size(); ++c) right_[c] += on_copies_[c];
+  stats_.residual = norms->worstRatio(right_);
+}
+
+void Newton::startAt(const StepProblem& p, const std::vector<Vec3>& guess, std::vector<Vec3>* dv) {
+  for (std::size_t c = 0; c < dv->size(); ++c)
+    if (p.held[c] < 0) (*dv)[c] = guess[c];
+  p.equations->residual(*dv, &alone_);
+  place(p, *dv);
+}
+
+/// Where the springs' points go with these Δv.
+void Newton::place(const StepProblem& p, const std::vector<Vec3>& dv) {
+  moved_.resize(used_.size());
+  for (std::size_t i = 0; i < used_.size(); ++i)
+    moved_[i] = weightedSum(used_[i], p.ahead) + p.time_step * weightedSum(used_[i], dv);
+}
+
+/// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be.
+void Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
+  rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
+  for (std::size_t i = 0; i < used_.size(); ++i) impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
+  on_copies_.assign(alone_.size(), Vec3::Zero());
+  addImpulses(impulses_, &on_copies_);
+  p.equations->rebase(on_copies_);
+  p.equations->residual(*dv, &alone_);
+  place(p, *dv);
+  // What the turn of the pieces has changed.
+  rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
+  rigid_guess_.addTo(p.rigid, p.x, dv);
+  p.equations->residual(*dv, &alone_);
+}
+
+/// Those of groups that have settled stay as they are.
+bool Newton::takeSprings(const StepProblem& p) {
+  if (p.couplers) {
+    ++stats_.solves;
+    for (std::size_t i = 0; i < used_.size(); ++i)
+      if (stats_.solves == 1 || !groups_[groupOf(p, used_[i])].settled) used_[i] = p.couplers->springs()[i];
+  }
+  return p.equations->setSprings(used_);
+}
+
+/// The Newton direction from Δv, and what the body alone does along it. Returns false where a value is not finite.
+bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight) {
+  const std::size_t copies = alone_.size();
+  group_of_piece_.resize(norms.measures().size());
+  for (std::size_t c = 0; c < p.piece.size(); ++c) group_of_piece_[p.piece[c]] = p.group[c];
+  right_ = alone_;
+  for (std::size_t i = 0; i < used_.size(); ++i)
+    addShares(used_[i], p.time_step * used_[i].at(moved_[i]), &right_);
+  limit_ = norms.measures();
+  for (double& limit : limit_) limit *= p.tolerance * p.tolerance;
+  if (!tight) loosen(p, norms);
+  direction_.assign(copies, Vec3::Zero());
+  left_.assign(copies, Vec3::Zero());
+  stats_.iterations += p.equations->correct(right_, limit_, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
+  pull_.resize(copies);
+  for (std::size_t c = 0; c < copies; ++c) pull_[c] = right_[c] - left_[c];
+  bool finite = true;
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    way_[i] = p.time_step * weightedSum(used_[i], direction_);
+    addShares(used_[i], -p.time_step * (used_[i].stiffness * way_[i]), &pull_);
+    finite = finite && way_[i].allFinite();
+  }
+  for (Group& group : groups_) group.share = 1;
+  return finite;
+}
+
+/// Lets each piece have the larger limit of its group's loose solve.
+void Newton::loosen(const StepProblem& p, const PieceNorms& norms) {
+  norms.squares(right_, &square_);
+  group_square_.assign(groups_.size(), 0);
+  for (std::size_t s = 0; s < square_.size(); ++s) group_square_[group_of_piece_[s]] += square_[s];
+  for (std::size_t s = 0; s < square_.size(); ++s)
+    limit_[s] = std::max(limit_[s], LOOSE * LOOSE * group_square_[group_of_piece_[s]]);
+}
+
+/// Where the springs at the end of the direction drive a group back, it has gone too far: finds the point between at
+/// which they drive it nowhere along the line, by Newton's method within an interval that closes in on it.
+void Newton::searchLines(const StepProblem& p) {
+  for (Group& group : groups_) group = Group();
+  for (std::size_t c = 0; c < alone_.size(); ++c) {
+    if (p.held[c] >= 0) continue;
+    Group& group = groups_[p.group[c]];
+    group.slope += direction_[c].dot(alone_[c]);
+    group.curvature += direction_[c].dot(pull_[c]);
+  }
+  trySprings(p, false);
+  for (Group& group : groups_) group.at_start = group.here;
+  trySprings(p, true);
+  bool any = false;
+  for (Group& group : groups_) {
+    group.searches = group.here < 0 && group.at_start > 0;
+    any = any || group.searches;
+  }
+  for (int k = 0; any && k < MAX_SEARCH; ++k) {
+    any = false;
+    for (Group& group : groups_) {
+      if (!group.searches) continue;
+      (group.here > 0 ? group.near : group.far) = group.share;
+      const double newton = group.share + group.here / group.bend;
+      group.share = newton > group.near && newton < group.far ? newton : (group.near + group.far) / 2;
+    }
+    trySprings(p, true);
+    for (Group& group : groups_) {
+      group.searches = group.searches && std::abs(group.here) > SEARCH_TOLERANCE * group.at_start;
+      any = any || group.searches;
+    }
+  }
+}
+
+/// The slopes at each group's share of its way, or where it starts, and how they bend.
+void Newton::trySprings(const StepProblem& p, bool on_the_way) {
+  for (std::size_t i = 0; i < used_.size(); ++i)
+    tried_[i] = moved_[i] + (on_the_way ? groups_[groupOf(p, used_[i])].share : 0) * way_[i];
+  p.couplers->update(tried_);
+  for (Group& group : groups_) {
+    group.here = group.slope - (on_the_way ? group.share : 0) * group.curvature;
+    group.bend = group.curvature;
+  }
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    Group& group = groups_[groupOf(p, used_[i])];
+    const Spring& spring = p.couplers->springs()[i];
+    group.here += way_[i].dot(spring.at(tried_[i]));
+    group.bend += way_[i].dot(spring.stiffness * way_[i]);
+  }
+}
+
+/// Goes each group's share of its way.
+void Newton::takeStep(const StepProblem& p, std::vector<Vec3>* dv) {
+  for (std::size_t c = 0; c < alone_.size(); ++c) {
+    if (p.held[c] >= 0) continue;
+    const double share = groups_[p.group[c]].share;
+    (*dv)[c] += share * direction_[c];
+    alone_[c] -= share * pull_[c];
+  }
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    const double share = groups_[groupOf(p, used_[i])].share;
+    impulses_[i] += share * (p.time_step * used_[i].at(moved_[i] + way_[i]) - impulses_[i]);
+    moved_[i] += share * way_[i];
+  }
+}
+
+/// Takes the bounds and the springs where the points are now, and compares them with what has acted.
+bool Newton::isSettled(const StepProblem& p, const PieceNorms& norms) {
+  if (stats_.solves <= MAX_BOUNDS) p.couplers->takeBounds(moved_);
+  p.couplers->update(moved_);
+  for (Group& group : groups_) group.largest = group.off = 0;
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    Group& group = groups_[groupOf(p, used_[i])];
+    const Vec3 force = p.couplers->springs()[i].at(moved_[i]), acted = impulses_[i] / p.time_step;
+    group.largest = std::max({group.largest, force.squaredNorm(), acted.squaredNorm()});
+    group.off = std::max(group.off, (force - acted).squaredNorm());
+  }
+  for (Group& group : groups_) group.settled = true;
+  right_ = alone_;
+  for (std::size_t i = 0; i < used_.size(); ++i)
+    addShares(used_[i], p.time_step * p.couplers->springs()[i].at(moved_[i]), &right_);
+  norms.squares(right_, &square_);
+  bool all = true;
+  for (std::size_t s = 0; s < square_.size(); ++s) {
+    Group& group = groups_[group_of_piece_[s]];
+    if (group.share == 1 && group.off <= SETTLED * SETTLED * group.largest) continue;
+    if (square_[s] <= p.tolerance * p.tolerance * norms.measures()[s]) continue;
+    group.settled = all = false;
+  }
+  return all;
+}
+
+/// Whether it is so under bounds as they are now.
+bool Newton::isSettledAnew(const StepProblem& p, const PieceNorms& norms) {
+  p.couplers->takeBounds(moved_);
+  return isSettled(p, norms);
+}
+
+double Newton::ratioLeft(PieceNorms* norms) {
+  on_copies_.assign(alone_.size(), Vec3::Zero());
+  addImpulses(impulses_, &on_copies_);
+  norms->raise(on_copies_);
+  right_.resize(alone_.size());
+  for (std::size_t c = 0; c < right_.size(); ++c) right_[c] = alone_[c] + on_copies_[c];
+  return norms->worstRatio(right_);
+}
+
+void Newton::addImpulses(const std::vector<Vec3>& impulses, std::vector<Vec3>* sums) const {
+  for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], impulses[i], sums);
+}
+
+/// That of its first copy which is not held; where all are, it moves nothing.
+int Newton::groupOf(const StepProblem& p, const Spring& spring) {
+  for (int k = 0; k < spring.count; ++k)
+    if (p.held[spring.copies[k]] < 0) return p.group[spring.copies[k]];
+  return p.group[spring.copies[0]];
+}
+
+}  // namespace incision

@@ -1,0 +1,263 @@
+#include "incision/solver/rigid_pieces.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+namespace incision {
+namespace {
+
+/// Moments of inertia below this share of the largest are those of a line or of a point, which cannot spin about it.
+constexpr double LEAST_INERTIA = 1e-9;
+
+/// Corrections of the mean rate over a step by the rate at its end. Each gains an order of the angle.
+constexpr int CORRECTIONS = 2;
+
+/// J⁺ for a symmetric positive semidefinite J.
+Mat3 pseudoInverse(const Mat3& J) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(J);
+  const Vec3& values = eigen.eigenvalues();
+  Vec3 inverse = Vec3::Zero();
+  for (int i = 0; i < 3; ++i)
+    if (values[i] > LEAST_INERTIA * values[2]) inverse[i] = 1 / values[i];
+  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// exp([a]×).
+Mat3 rotationBy(const Vec3& a) {
+  const double angle = a.norm();
+  if (!(angle > 0)) return Mat3::Identity();
+  return Eigen::AngleAxisd(angle, a / angle).toRotationMatrix();
+}
+
+}  // namespace
+
+void RigidPieces::topologyChanged(const std::vector<int>& piece, int pieces, const std::vector<int>& held,
+                                  bool warping) {
+  piece_ = piece;
+  free_.assign(static_cast<std::size_t>(pieces), warping);
+  for (std::size_t c = 0; c < held.size(); ++c)
+    if (held[c] >= 0) free_[static_cast<std::size_t>(piece[c])] = false;
+  any_free_ = false;
+  for (char is_free : free_) any_free_ = any_free_ || is_free;
+}
+
+/// L and J are those of the masses of the equation: of the lumped ones, or of the consistent matrix M, where L = Σ r ×
+/// (M v) and J = Σ (r · q) 1 − q rᵀ with q = M r.
+void RigidPieces::measure(const Assembly& assembly, const Motion& motion, std::vector<Body>* bodies) {
+  const std::vector<double>& masses = assembly.masses();
+  bodies->assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero()});
+  const std::size_t copies = motion.x.size();
+  for (std::size_t c = 0; c < copies; ++c) {
+    if (!isFree(c)) continue;
+    Body& body = (*bodies)[static_cast<std::size_t>(piece_[c])];
+    body.mass += masses[c];
+    body.centre += masses[c] * motion.x[c];
+    body.velocity += masses[c] * motion.v[c];
+  }
+  for (Body& body : *bodies)
+    if (body.mass > 0) {
+      body.centre /= body.mass;
+      body.velocity /= body.mass;
+    }
+  const bool consistent = assembly.consistentMass();
+  if (consistent) {
+    assembly.multiplyMass(motion.x, &mass_x_);
+    assembly.multiplyMass(motion.v, &mass_v_);
+  }
+  for (std::size_t c = 0; c < copies; ++c) {
+    if (!isFree(c)) continue;
+    Body& body = (*bodies)[static_cast<std::size_t>(piece_[c])];
+    const Vec3 r = motion.x[c] - body.centre;
+    const Vec3 p = (consistent ? mass_v_[c] : Vec3(masses[c] * motion.v[c])) - masses[c] * body.velocity;
+    const Vec3 q = consistent ? Vec3(mass_x_[c] - masses[c] * body.centre) : Vec3(masses[c] * r);
+    body.spin += r.cross(p);
+    body.inertia += r.dot(q) * Mat3::Identity() - q * r.transpose();
+  }
+}
+
+/// Twice the mean rate is that at the start and that at the end; there the body has turned by Q and L is as it was.
+RigidPieces::Turn RigidPieces::turnOf(const Body& body, double time_step) {
+  const Mat3 J = 0.5 * (body.inertia + body.inertia.transpose()), inverse = pseudoInverse(J);
+  const Vec3 rate = inverse * body.spin;
+  Turn turn{inverse, rotationBy(time_step * rate), rate, rate, Vec3::Zero()};
+  const auto turned = [&](const Mat3& A, const Vec3& b) -> Vec3 {
+    return turn.rotation * (A * (turn.rotation.transpose() * b));
+  };
+  for (int k = 0; k < CORRECTIONS; ++k)
+    turn.rotation = rotationBy(time_step / 2 * (rate + turned(inverse, body.spin)));
+  turn.ends = turned(inverse, body.spin);
+  turn.change = -turned(inverse, turn.ends.cross(turned(J, turn.ends)));
+  return turn;
+}
+
+void RigidPieces::findTurns(const std::vector<Body>& bodies, double time_step, std::vector<Turn>* turns) {
+  turns->clear();
+  for (const Body& body : bodies) turns->push_back(turnOf(body, time_step));
+}
+
+void RigidPieces::euler(const Assembly& assembly, const Motion& motion, double time_step, StepBase* base) {
+  base->x = motion.x;
+  base->u = motion.v;
+  base->v.assign(motion.x.size(), Vec3::Zero());
+  time_step_ = time_step;
+  if (!any_free_) return;
+  measure(assembly, motion, &bodies_);
+  findTurns(bodies_, time_step, &turns_);
+  for (std::size_t c = 0; c < motion.x.size(); ++c) {
+    if (!isFree(c)) continue;
+    const Body& body = bodies_[static_cast<std::size_t>(piece_[c])];
+    const Turn& turn = turns_[static_cast<std::size_t>(piece_[c])];
+    const Vec3 r = motion.x[c] - body.centre, Qr = turn.rotation * r;
+    base->x[c] = body.centre + time_step * body.velocity + Qr;
+    base->v[c] = body.velocity + turn.ends.cross(Qr);
+    base->u[c] = turn.rotation * (motion.v[c] - body.velocity - turn.rate.cross(r));
+  }
+}
+
+void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses,
+                       StepBase* base, std::vector<Vec3>* given) {
+  kicks_.assign(free_.size(), Kick());
+  given->assign(x.size(), Vec3::Zero());
+  for (std::size_t c = 0; c < x.size(); ++c) {
+    if (!isFree(c) || impulses[c].isZero(0)) continue;
+    Kick& kick = kicks_[static_cast<std::size_t>(piece_[c])];
+    kick.is_coupled = true;
+    kick.momentum += impulses[c];
+    kick.spin += (x[c] - bodies_[static_cast<std::size_t>(piece_[c])].centre).cross(impulses[c]);
+  }
+  turns_before_ = turns_;
+  for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
+    Kick& kick = kicks_[piece];
+    if (!kick.is_coupled) continue;
+    Body& body = bodies_[piece];
+    kick.velocity = kick.momentum / body.mass;
+    body.velocity += kick.velocity;
+    body.spin += kick.spin;
+    Turn& turn = turns_[piece];
+    turn = turnOf(body, time_step_);
+    kick.rate = turn.rotation * (turn.inverse_inertia * (turn.rotation.transpose() * kick.spin));
+  }
+  for (std::size_t c = 0; c < x.size(); ++c) {
+    const auto piece = static_cast<std::size_t>(piece_[c]);
+    const Kick& kick = kicks_[piece];
+    if (!kick.is_coupled) continue;
+    const Body& body = bodies_[piece];
+    const Turn& turn = turns_[piece];
+    const Vec3 Qr = turn.rotation * (x[c] - body.centre);
+    base->x[c] = body.centre + time_step_ * body.velocity + Qr;
+    base->v[c] = body.velocity + turn.ends.cross(Qr);
+    base->u[c] = turn.rotation * (turns_before_[piece].rotation.transpose() * base->u[c]);
+    (*given)[c] = kick.velocity + kick.rate.cross(Qr);
+  }
+  if (assembly.consistentMass()) {
+    mass_x_ = *given;
+    assembly.multiplyMass(mass_x_, given);
+  } else {
+    for (std::size_t c = 0; c < x.size(); ++c) (*given)[c] *= assembly.masses()[c];
+  }
+}
+
+void RigidPieces::finish(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
+                         const std::vector<Vec3>& impulses, Motion* motion) {
+  const double h = time_step_;
+  findKicks(assembly, base, dv, impulses, motion->x);
+  for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
+    Kick& kick = kicks_[piece];
+    if (!kick.is_coupled) continue;
+    const Body& body = bodies_[piece];
+    const Turn& turn = turns_[piece];
+    kick.velocity = kick.momentum / body.mass;
+    kick.rate = turn.rotation * (turn.inverse_inertia * (turn.rotation.transpose() * kick.spin));
+    before_[piece] = body;
+    before_[piece].velocity += kick.velocity;
+    before_[piece].spin += kick.spin + kick.at_start - kick.at_end;
+    turns_before_[piece] = turnOf(before_[piece], h);
+  }
+  for (std::size_t c = 0; c < dv.size(); ++c) {
+    const auto piece = static_cast<std::size_t>(piece_[c]);
+    const Kick& kick = kicks_[piece];
+    if (!kick.is_coupled) {
+      motion->v[c] = base.v[c] + base.u[c] + dv[c];
+      motion->x[c] = base.x[c] + h * (base.u[c] + dv[c]);
+      continue;
+    }
+    const Body& body = before_[piece];
+    const Turn& turn = turns_before_[piece];
+    const Vec3 Qr = turn.rotation * (motion->x[c] - body.centre);
+    const Vec3 arm = base.x[c] - centreOf(static_cast<int>(piece));
+    const Vec3 beside = base.u[c] + dv[c] - kick.velocity - kick.rate.cross(arm);
+    motion->x[c] = body.centre + h * body.velocity + Qr + h * beside;
+    motion->v[c] = body.velocity + turn.ends.cross(Qr) + beside;
+  }
+}
+
+/// Of each free piece on which couplers have acted.
+void RigidPieces::findKicks(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
+                            const std::vector<Vec3>& impulses, const std::vector<Vec3>& x) {
+  kicks_.assign(free_.size(), Kick());
+  if (!any_free_) return;
+  for (std::size_t c = 0; c < dv.size(); ++c)
+    if (isFree(c) && !impulses[c].isZero(0)) kicks_[static_cast<std::size_t>(piece_[c])].is_coupled = true;
+  before_.resize(free_.size());
+  turns_before_.resize(free_.size());
+  if (assembly.consistentMass()) assembly.multiplyMass(dv, &mass_v_);
+  for (std::size_t c = 0; c < dv.size(); ++c) {
+    Kick& kick = kicks_[static_cast<std::size_t>(piece_[c])];
+    if (!kick.is_coupled) continue;
+    const Vec3 arm = base.x[c] - centreOf(piece_[c]);
+    const Vec3 momentum = assembly.consistentMass() ? mass_v_[c] : Vec3(assembly.masses()[c] * dv[c]);
+    kick.momentum += momentum;
+    kick.spin += arm.cross(momentum);
+    kick.at_start += (x[c] - bodies_[static_cast<std::size_t>(piece_[c])].centre).cross(impulses[c]);
+    kick.at_end += arm.cross(impulses[c]);
+  }
+}
+
+void RigidPieces::firstOfSecondOrder(const Assembly& assembly, const Motion& motion, double time_step,
+                                     StepBase* base) {
+  euler(assembly, motion, time_step, base);
+  for (std::size_t c = 0; c < motion.x.size(); ++c) {
+    if (!isFree(c)) continue;
+    const Turn& turn = turns_[static_cast<std::size_t>(piece_[c])];
+    const Vec3 w = base->u[c], arm_ahead = base->x[c] - centreOf(piece_[c]) + time_step * w;
+    base->v[c] += turn.ends.cross(time_step * w);
+    base->u[c] -= time_step * turn.accelerationAt(arm_ahead, w);
+  }
+}
+
+/// The frame goes with the piece's rigid motion of now, backwards and forwards; in it the second order formula holds for
+/// places and for velocities w beside the frame, which the frame's own acceleration and Coriolis' drive:
+///   m dw/dt = f − m (dω/dt × r + ω × (ω × r) + 2 ω × w).
+void RigidPieces::secondOrder(const Assembly& assembly, const Motion& now, const Motion& before, double time_step,
+                              StepBase* base) {
+  const std::size_t copies = now.x.size();
+  base->x.resize(copies);
+  base->u.resize(copies);
+  base->v.assign(copies, Vec3::Zero());
+  if (any_free_) {
+    measure(assembly, now, &bodies_);
+    findTurns(bodies_, time_step, &turns_);
+    findTurns(bodies_, -time_step, &turns_before_);
+  }
+  for (std::size_t c = 0; c < copies; ++c) {
+    if (!isFree(c)) {
+      base->x[c] = now.x[c] + (now.x[c] - before.x[c]) / 3;
+      base->u[c] = now.v[c] + (now.v[c] - before.v[c]) / 3;
+      continue;
+    }
+    const auto piece = static_cast<std::size_t>(piece_[c]);
+    const Body& body = bodies_[piece];
+    const Turn &turn = turns_[piece], &back = turns_before_[piece];
+    const Mat3& Q = turn.rotation;
+    const Vec3 r = now.x[c] - body.centre, r_before = before.x[c] - body.centre + time_step * body.velocity;
+    const Vec3 w = now.v[c] - body.velocity - turn.rate.cross(r);
+    const Vec3 w_before = back.rotation.transpose() * (before.v[c] - body.velocity - back.ends.cross(r_before));
+    const Vec3 arm = Q * (r + (r - back.rotation.transpose() * r_before) / 3);
+    base->x[c] = body.centre + time_step * body.velocity + arm;
+    const Vec3 w_ahead = Q * (2 * w - w_before), arm_ahead = arm + 2 * time_step / 3 * w_ahead;
+    base->v[c] = body.velocity + turn.ends.cross(arm_ahead);
+    base->u[c] = Q * (w + (w - w_before) / 3) - 2 * time_step / 3 * turn.accelerationAt(arm_ahead, w_ahead);
+  }
+}
+
+}  // namespace incision
