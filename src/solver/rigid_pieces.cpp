@@ -2,12 +2,17 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace incision {
 namespace {
 
 /// Moments of inertia below this share of the largest are those of a line or of a point, which cannot spin about it.
 constexpr double LEAST_INERTIA = 1e-9;
+
+/// What turns by more than this in a step takes short turns, of so much at most, and so many of them [rad].
+constexpr double FAST_TURN = 0.3, SHORT_TURN = 0.05, MAX_TURNS = 10000;
 
 /// Corrections of the mean rate over a step by the rate at its end. Each gains an order of the angle.
 constexpr int CORRECTIONS = 2;
@@ -75,16 +80,25 @@ void RigidPieces::measure(const Assembly& assembly, const Motion& motion, std::v
   }
 }
 
-/// Twice the mean rate is that at the start and that at the end; there the body has turned by Q and L is as it was.
+/// Twice the mean rate is that at the start and that at the end; there the body has turned by Q and L is as it was. What
+/// turns far in a step takes as many short ones: the energy of a spin is that of the angle between L and the body.
 RigidPieces::Turn RigidPieces::turnOf(const Body& body, double time_step) {
   const Mat3 J = 0.5 * (body.inertia + body.inertia.transpose()), inverse = pseudoInverse(J);
   const Vec3 rate = inverse * body.spin;
-  Turn turn{inverse, rotationBy(time_step * rate), rate, rate, Vec3::Zero()};
+  Turn turn{inverse, Mat3::Identity(), rate, rate, Vec3::Zero()};
   const auto turned = [&](const Mat3& A, const Vec3& b) -> Vec3 {
     return turn.rotation * (A * (turn.rotation.transpose() * b));
   };
-  for (int k = 0; k < CORRECTIONS; ++k)
-    turn.rotation = rotationBy(time_step / 2 * (rate + turned(inverse, body.spin)));
+  const double most = std::abs(time_step) * body.spin.norm() * inverse.norm();
+  const bool is_fast = std::abs(time_step) * rate.norm() > FAST_TURN;
+  const int turns = is_fast ? static_cast<int>(std::min(MAX_TURNS, std::ceil(most / SHORT_TURN))) : 1;
+  for (int n = 0; n < turns; ++n) {
+    const Mat3 from = turn.rotation;
+    const Vec3 at_start = turned(inverse, body.spin);
+    turn.rotation = rotationBy(time_step / turns * at_start) * from;
+    for (int k = 0; k < CORRECTIONS; ++k)
+      turn.rotation = rotationBy(time_step / turns / 2 * (at_start + turned(inverse, body.spin))) * from;
+  }
   turn.ends = turned(inverse, body.spin);
   turn.change = -turned(inverse, turn.ends.cross(turned(J, turn.ends)));
   return turn;
