@@ -102,6 +102,7 @@ class CrackGrowth {
   double load(const Assembly& assembly, const std::vector<Vec3>& x);
   void wait(const std::vector<int>& nodes);
   bool waits(const CutMesh& mesh, int part) const;
+  void findBeside(const CutMesh& mesh);
   bool isBeside(const CutMesh& mesh, int part) const;
   std::vector<PieceLoad> mostLoaded(const CutMesh& mesh, const std::vector<int>& piece) const;
   bool hasGrown(const Fringe& fringe, const CutMesh& mesh) const;

@@ -38,6 +38,7 @@ class IterativeSolver : public LinearSolver {
   BlockPattern pattern_;
   Aggregates aggregates_;
   std::vector<double> scale_;  // 1/√d of each row, d = trace(A_ii)/3
+  std::vector<Vec3> rest_x_;   // of each copy, where nothing is warped [m]
   PieceNorms norms_;
   BlockAssembler<float> assembler_;
   std::vector<float> blocks_;

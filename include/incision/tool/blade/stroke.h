@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace incision {
 /// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
 class Stroke {
  public:
-  /// The edge stands here while the copies stand at `x` [m], and has not swept anything. Later calls do nothing.
+  /// The edge stands here while the copies stand at `x` [m], and has not swept anything yet. Without meaning once it
+  /// has.
   void start(const Edge& edge, const std::vector<Vec3>& x);
 
   /// Adds what the edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
@@ -79,8 +81,10 @@ class Stroke {
   void settle(const Insertion& done, int before, const CutMesh& mesh);
 
   Memory memory_;
+  Edge start_edge_;            // where the first sweep starts [m]
+  std::vector<Vec3> start_x_;  // and the copies then [m]
   // Of the current sweep:
-  std::unordered_map<int, Vec3> headings_;  // of the copies passed: the crack's normal
+  std::map<int, Vec3> headings_;  // of the copies passed: the crack's normal; sorted, as they are summed up
   std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;
   std::vector<Passed> passed_, beside_;  // parts that it passes, and cut ones that it passes farther off
 };
