@@ -33,8 +33,10 @@ bool DeformableBody::State::advance(const StepSpan& span, double time) {
   const auto beginning = Clock::now();
   const bool coupled = couplers.begin({span, mesh, step.pieceOf(), motion});
   couplers_ms = 1e3 * secondsSince(beginning);
-  if (!coupled) return advanceFreely(time, span.time_step);
-  if (!step.advance(time, span.time_step, &motion, &couplers)) return false;
+  const bool taken =
+      coupled ? step.advance(time, span.time_step, &motion, &couplers) : advanceFreely(time, span.time_step);
+  if (!taken) couplers.stepFailed();
+  if (!taken || !coupled) return taken;
   last_steps.forget();
   couplers.accept(motion, step.felt());
   return true;

@@ -47,6 +47,8 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
       differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
   topology_known_ = false;
+  memory_.solver = {};
+  memory_.solver_time_step = 0;
   memory_.fallback_steps = 0;
 }
 
@@ -59,10 +61,34 @@ void ImplicitStep::reset() {
   dv_.clear();
 }
 
+ImplicitStep::Memory ImplicitStep::keep() const {
+  Memory kept = memory_;
+  keepSolver(&kept);
+  kept.rotations = assembly_.rotations();
+  return kept;
+}
+
+/// What the solver would have to be told for its part; as long as it has not been told of the system, that is still in
+/// the memory.
+void ImplicitStep::keepSolver(Memory* memory) const {
+  if (!topology_known_) return;
+  memory->solver_time_step = matrix_time_step_;
+  current()->keep(&memory->solver);
+}
+
 void ImplicitStep::recall(const Memory& memory) {
-  topology_known_ =
-      topology_known_ && memory.group == memory_.group && (memory.fallback_steps > 0) == (memory_.fallback_steps > 0);
+  topology_known_ = false;
   memory_ = memory;
+  assembly_.recallRotations(memory_.rotations);
+  memory_.rotations = {};
+  if (memory_.fallback_steps > 0) makeFallback();
+}
+
+void ImplicitStep::makeFallback() {
+  if (fallback_) return;
+  SolverSettings direct = settings_;
+  direct.method = Method::DIRECT;
+  fallback_ = make_solver_(direct, assembly_.warping());
 }
 
 bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couplers* couplers,
@@ -70,6 +96,7 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couple
   const auto start = std::chrono::steady_clock::now();
   fallback_steps_at_start_ = memory_.fallback_steps;
   group_at_start_.clear();
+  keepSolver(&memory_);
   assembly_.rotate(turned ? *turned : motion->x);
   if (memory_.fallback_steps > 0 && --memory_.fallback_steps == 0) topology_known_ = false;
   prepareMatrix(time_step, *motion);
@@ -95,8 +122,8 @@ bool ImplicitStep::advance(double time, double time_step, Motion* motion, Couple
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
 void ImplicitStep::giveUp() {
-  const bool other_solver = (memory_.fallback_steps > 0) != (fallback_steps_at_start_ > 0);
-  if (other_solver || !group_at_start_.empty()) topology_known_ = false;
+  topology_known_ = false;
+  assembly_.rotateBack();
   memory_.fallback_steps = fallback_steps_at_start_;
   if (!group_at_start_.empty()) memory_.group = group_at_start_;
   for (Vec3& dv : dv_) dv.setZero();
@@ -143,6 +170,8 @@ void ImplicitStep::prepare(LinearSolver* solver, bool new_system, double time_st
     solver->systemChanged(
         assembly_, {held, piece_, memory_.group, touched_},
         {1 + time_step * materials.massDamping(), time_step * materials.stiffnessDamping() + time_step * time_step});
+    const bool same_solver = (memory_.fallback_steps > 0) == (fallback_steps_at_start_ > 0);
+    if (!topology_known_ && same_solver && time_step == memory_.solver_time_step) solver->recall(memory_.solver);
   }
   solver->matrixChanged(motion.x);
 }
@@ -160,11 +189,7 @@ SolveStats ImplicitStep::solve(double time_step, const Motion& motion, const Bas
   if (memory_.fallback_steps > 0) return fallback_->solve(r, rounding_, basis, &dv_);
   SolveStats stats = solver_->solve(r, rounding_, basis, &dv_);
   if (stats.converged) return stats;
-  if (!fallback_) {
-    SolverSettings direct = settings_;
-    direct.method = Method::DIRECT;
-    fallback_ = make_solver_(direct, assembly_.warping());
-  }
+  makeFallback();
   memory_.fallback_steps = FALLBACK_STEPS;
   prepare(fallback_.get(), true, time_step, motion);
   if (!fallback_->springsChanged(springs(), time_step)) return stats;

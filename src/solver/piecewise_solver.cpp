@@ -59,6 +59,18 @@ bool PiecewiseSolver::springsChanged(const std::vector<Spring>& springs, double 
          (!any_iterative_ || iterative_.springsChanged(springs, time_step));
 }
 
+/// A solver that has nothing to do may have a memory of another system.
+void PiecewiseSolver::keep(SolverMemory* memory) const {
+  *memory = {};
+  if (any_direct_) direct_.keep(memory);
+  if (any_iterative_) iterative_.keep(memory);
+}
+
+void PiecewiseSolver::recall(const SolverMemory& memory) {
+  if (any_direct_) direct_.recall(memory);
+  if (any_iterative_) iterative_.recall(memory);
+}
+
 SolveStats PiecewiseSolver::solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                                   std::vector<Vec3>* dv) {
   SolveStats stats;

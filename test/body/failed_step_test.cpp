@@ -1,99 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <set>
 #include <stdexcept>
 
 #include "support/blade.h"
+#include "support/broken_plate.h"
+#include "support/failing_solver.h"
 #include "support/rig.h"
 #include "support/sanitized.h"
 
 namespace incision::test {
 namespace {
-
-/// Which solves fail, counted from 0 after each call of `fail`.
-struct Failures {
-  std::set<int> solves;
-  int count = 0;
-  void fail(const std::set<int>& which) {
-    solves = which;
-    count = 0;
-  }
-};
-
-/// A solver that fails on demand, and otherwise is the one that the settings ask for.
-class FailingSolver : public LinearSolver {
- public:
-  FailingSolver(std::unique_ptr<LinearSolver> solver, Failures* failures)
-      : solver_(std::move(solver)), failures_(failures) {}
-  void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override {
-    solver_->systemChanged(assembly, change, factors);
-  }
-  void matrixChanged(const std::vector<Vec3>& x) override { solver_->matrixChanged(x); }
-  bool springsChanged(const std::vector<Spring>& springs, double time_step) override {
-    return solver_->springsChanged(springs, time_step);
-  }
-  SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
-                   std::vector<Vec3>* dv) override {
-    SolveStats stats = solver_->solve(residual, rounding, basis, dv);
-    if (failures_->solves.count(failures_->count++) == 0) return stats;
-    for (Vec3& value : *dv) value.setConstant(std::nan(""));
-    stats.converged = false;
-    return stats;
-  }
-
- private:
-  std::unique_ptr<LinearSolver> solver_;
-  Failures* failures_;
-};
-
-/// The solves of a whole step, where the first fails: a direct one follows, and is the last. Then come those of its
-/// first half.
-const std::set<int> WHOLE = {0, 1}, WHOLE_AND_HALF = {0, 1, 2, 3};
-
-/// A body whose solver fails on demand.
-struct Fallible {
-  explicit Fallible(const Scene& scene)
-      : body(scene, loadMesh(scene), {}, [this](const SolverSettings& settings, bool warping) {
-          return std::make_unique<FailingSolver>(makeLinearSolver(settings, warping), &failures);
-        }) {}
-
-  /// The next step fails, by these of its solves. No copy that there was has moved.
-  void failOnce(const std::set<int>& solves) {
-    const std::vector<Vec3> x = body.positions(), v = body.velocities();
-    failures.fail(solves);
-    EXPECT_THROW(body.step(), StepFailed);
-    failures.fail({});
-    EXPECT_EQ(std::vector<Vec3>(body.positions().begin(), body.positions().begin() + x.size()), x);
-    EXPECT_EQ(std::vector<Vec3>(body.velocities().begin(), body.velocities().begin() + v.size()), v);
-  }
-
-  Failures failures;
-  DeformableBody body;
-};
-
-/// A plate on the ground, broken in pieces that rub against each other, while a blade cuts it against resistance.
-Scene everythingAtOnce(Method method) {
-  Scene scene = plateAndBlade();
-  scene.gravity = Vec3(0, 0, -9.81);
-  scene.solver.method = method;
-  scene.solver.tolerance = 1e-9;
-  scene.contact = ContactSettings();
-  scene.contact->ground = -0.001;
-  scene.tool->cutting_force = 20;
-  for (int k = 0; k <= 40; ++k)
-    scene.tool->poses.push_back({0.01 * k, {Vec3(-0.05 + 0.02 * k, 0.21, 0), Eigen::Quaterniond::Identity()}});
-  PlaneCut plane;
-  plane.point = Vec3(0.6, 0.2, 0.1);
-  plane.normal = Vec3(1, 0.3, 0.2);
-  scene.cuts = {{0.05, plane}};
-  scene.fracture = FractureSettings();
-  scene.fracture->tensile_strength = 300;
-  scene.fracture->fracture_energy = 1;
-  return scene;
-}
 
 /// What a run has told.
 struct Told {

@@ -126,4 +126,10 @@ class CrackGrowth {
   std::vector<char> beside_;      // of every copy: used by a part at a fringe
 };
 
+template <class Archive>
+void serialize(Archive& archive, CrackGrowth::Memory& memory) {
+  auto& [cracks, known_copies, barred, waiting, any_waiting] = memory;
+  archive(cracks, known_copies, barred, waiting, any_waiting);
+}
+
 }  // namespace incision

@@ -34,4 +34,12 @@ class BackwardDifference {
   std::vector<Vec3> ahead_;  // x_n + Δt v_n
 };
 
+/// What it looks back to counts only where it is known.
+template <class Archive>
+void serialize(Archive& archive, BackwardDifference::Memory& memory) {
+  auto& [known, before] = memory;
+  archive(known);
+  if (known) archive(before);
+}
+
 }  // namespace incision

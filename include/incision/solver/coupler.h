@@ -33,7 +33,8 @@ struct StepStart {
 /// Something that acts on copies in a step by springs between them, or to something outside: contact, cohesion, ties, a
 /// blade's edge. The forces descend from a convex potential of the velocities at the step's end.
 ///
-/// Its memory changes in `changed` and `accept` alone: a step that fails leaves no trace in it.
+/// Its memory changes in `changed` and `accept` alone: a step that fails leaves no trace in it. What it changes in
+/// `begin` it takes back in `stepFailed`.
 class Coupler : public Remembers {
  public:
   /// The mesh has changed, or is another one.
@@ -49,6 +50,9 @@ class Coupler : public Remembers {
   /// The step has been taken. `felt` is what the springs have done to their other end, as wrenchOf says; without
   /// another end it is zero.
   virtual void accept(const StepSpan& span, const Motion& end, const Wrench& felt) = 0;
+
+  /// The step that has begun has failed.
+  virtual void stepFailed() {}
 
   /// Whether the springs have another end, outside the body, whose wrench is asked for.
   virtual bool hasOtherEnd() const { return false; }

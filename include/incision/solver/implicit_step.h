@@ -36,8 +36,12 @@ class ImplicitStep {
     Basis basis;             ///< of the first guess: the last Δv and its backward differences, by copy
     std::vector<int> group;  ///< of each copy: pieces between which springs have been since the mesh changed
     int fallback_steps = 0;  ///< how many more steps the fallback takes
+    /// Of the linear solver, where it has been told of the system of a step of this length [s]; 0: of none.
+    SolverMemory solver;
+    double solver_time_step = 0;
+    std::vector<Mat3> rotations;  ///< of each part; only in what is kept
   };
-  const Memory& keep() const { return memory_; }
+  Memory keep() const;
   /// Puts a memory back that was kept since the mesh changed.
   void recall(const Memory& memory);
 
@@ -68,6 +72,8 @@ class ImplicitStep {
  private:
   void prepareMatrix(double time_step, const Motion& motion);
   void prepare(LinearSolver* solver, bool new_system, double time_step, const Motion& motion);
+  void keepSolver(Memory* memory) const;
+  void makeFallback();
   void giveUp();
   bool trySolve(double time, double time_step, const Motion& motion, Couplers* couplers);
   bool solveCoupled(double time_step, const Motion& motion, Couplers* couplers);
@@ -77,7 +83,7 @@ class ImplicitStep {
   double slopeAlongSearch(double time_step, const Motion& motion);
   bool joinGroups();
   const std::vector<Spring>& springs() const;
-  LinearSolver* current() { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
+  LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
   void remember();
   SolveStats solve(double time_step, const Motion& motion, const Basis& basis);
   void externalForces(double time);
@@ -111,5 +117,11 @@ class ImplicitStep {
   SolveStats stats_;
   StepTimes times_;
 };
+
+template <class Archive>
+void serialize(Archive& archive, ImplicitStep::Memory& memory) {
+  auto& [basis, group, fallback_steps, solver, solver_time_step, rotations] = memory;
+  archive(basis, group, fallback_steps, solver, solver_time_step, rotations);
+}
 
 }  // namespace incision

@@ -18,6 +18,8 @@ class IterativeSolver : public LinearSolver {
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
+  void keep(SolverMemory* memory) const override { memory->coarse_blocks = coarse_.springBlocks(); }
+  void recall(const SolverMemory& memory) override { coarse_.recallSpringBlocks(memory.coarse_blocks); }
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 

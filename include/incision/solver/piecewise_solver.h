@@ -17,6 +17,8 @@ class PiecewiseSolver : public LinearSolver {
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
+  void keep(SolverMemory* memory) const override;
+  void recall(const SolverMemory& memory) override;
   SolveStats solve(const Residual& residual, const std::vector<double>& rounding, const Basis& basis,
                    std::vector<Vec3>* dv) override;
 

@@ -25,6 +25,12 @@ struct ToolMemory {
   bool active = true;        ///< it does what its kind does; otherwise it only touches
 };
 
+template <class Archive>
+void serialize(Archive& archive, ToolMemory& memory) {
+  auto& [pose, path, active] = memory;
+  archive(pose, path, active);
+}
+
 /// A rigid instrument that another node moves: it owns its pose, its path and all that its kind does on the way. Each
 /// kind is a class derived from this one.
 class Tool : public Remembers {

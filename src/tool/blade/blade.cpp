@@ -39,7 +39,7 @@ std::vector<Coupler*> Blade::couplers() {
 }
 
 void Blade::recall(const std::any& kept) {
-  const auto& memory = std::any_cast<const Memory&>(kept);
+  const auto& memory = std::any_cast<const BladeMemory&>(kept);
   tool_ = memory.tool;
   strokes_ = memory.strokes;
   stroke_.recall(memory.stroke);

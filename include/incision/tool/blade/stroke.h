@@ -89,4 +89,16 @@ class Stroke {
   std::vector<Passed> passed_, beside_;  // parts that it passes, and cut ones that it passes farther off
 };
 
+template <class Archive>
+void serialize(Archive& archive, Stroke::Memory& memory) {
+  auto& [crack, cracks, begun, from, last_x, normal, ways, distances, swept] = memory;
+  archive(crack, cracks, begun, from, last_x, normal, ways, distances, swept);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Stroke::Distance& distance) {
+  auto& [phi, normal, settled] = distance;
+  archive(phi, normal, settled);
+}
+
 }  // namespace incision
