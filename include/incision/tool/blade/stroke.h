@@ -49,7 +49,7 @@ class Stroke {
     int crack = -1;                                            ///< as crack() tells
     int cracks = 0;                                            ///< that it has made
     bool begun = false;                                        ///< it has met a part of the body
-    Edge from;                                                 ///< at the last sweep [m],
+    Edge from = {Vec3::Zero(), Vec3::Zero()};                  ///< at the last sweep [m],
     std::vector<Vec3> last_x;                                  ///< and the copies then [m]
     Vec3 normal = Vec3::Zero();                                ///< of the sweep so far, to keep the sides' signs
     std::unordered_map<int, Vec3> ways;                        ///< round each copy: normals of the last sweeps [m]
