@@ -24,11 +24,8 @@ struct Told {
 
 class FailedStep : public ::testing::TestWithParam<Method> {};
 
-// What rubs is chaotic, and a solver that has been asked before may round otherwise. So each run fails in one step, and
-// is compared right after it; where a decision of contact hangs on rounding, it may fall otherwise in a few.
 TEST_P(FailedStep, LeavesTheBodyAsIfItHadNotBeenTried) {
   const Scene scene = everythingAtOnce(GetParam());
-  std::vector<double> differences;  // [m], of a plate of 1 m
   for (int failed = 1; failed < 15; failed += SANITIZED ? 12 : 2) {
     Fallible failing(scene), twin(scene);
     Told told, expected;
@@ -40,16 +37,12 @@ TEST_P(FailedStep, LeavesTheBodyAsIfItHadNotBeenTried) {
     }
     EXPECT_EQ(told.cuts, expected.cuts) << failed;
     EXPECT_EQ(told.cracks, expected.cracks) << failed;
-    ASSERT_EQ(failing.body.counts().copies, twin.body.counts().copies) << failed;
-    differences.push_back(largestDifference(failing.body.positions(), twin.body.positions()));
+    EXPECT_EQ(failing.body.stateHash(), twin.body.stateHash()) << failed;
     if (failed == 13) {
       EXPECT_GT(expected.cracks, 0);
       EXPECT_EQ(expected.cuts, 1);
     }
   }
-  std::sort(differences.begin(), differences.end());
-  EXPECT_LT(differences[differences.size() / 2], GetParam() == Method::DIRECT ? 1e-9 : 1e-6);
-  EXPECT_LT(differences.back(), 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, FailedStep, ::testing::Values(Method::DIRECT, Method::ITERATIVE));
