@@ -80,7 +80,7 @@ void ImplicitStep::recall(const Memory& memory) {
   topology_known_ = false;
   memory_ = memory;
   assembly_.recallRotations(memory_.rotations);
-  memory_.rotations = {};
+  memory_.rotations = std::vector<Mat3>();
   if (memory_.fallback_steps > 0) makeFallback();
 }
 
