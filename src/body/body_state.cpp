@@ -53,6 +53,7 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
   makeCouplers();
   door.meshReplaced();
   at_start = keep();
+  at_start.step.step.rotations = std::vector<Mat3>();  // found again from the body at rest
 }
 
 void DeformableBody::State::makeTools(const Descriptions& descriptions) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <any>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -30,6 +31,13 @@ struct StepMemory {
   std::vector<std::any> tools;
 };
 
+/// All but what couplers and tools write themselves.
+template <class Archive>
+void serialize(Archive& archive, StepMemory& memory) {
+  auto& [motion, step, last_steps, couplers, tools] = memory;
+  archive(motion, step, last_steps);
+}
+
 /// What of a body outlasts a step.
 struct BodyMemory {
   std::int64_t steps = 0, unsettled_steps = 0;
@@ -40,6 +48,12 @@ struct BodyMemory {
   std::vector<RigidMotion> obstacles;
   StepMemory step;
 };
+
+template <class Archive>
+void serialize(Archive& archive, BodyMemory& memory) {
+  auto& [steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, step] = memory;
+  archive(steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, step);
+}
 
 /// What a body is made of. Commands change the mesh, steps the motion.
 struct DeformableBody::State {
@@ -68,6 +82,9 @@ struct DeformableBody::State {
   void recallStep(const StepMemory& memory);
   BodyMemory keep() const;
   void recall(const BodyMemory& memory);
+  void write(const BodyMemory& memory, ArchiveWriter* archive) const;
+  BodyMemory read(ArchiveReader* archive) const;
+  std::array<std::int64_t, 6> outline() const;
 
   std::vector<int> pieceOf(int* pieces) const;
   int pieces() const;

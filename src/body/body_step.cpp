@@ -35,8 +35,9 @@ bool DeformableBody::State::advance(const StepSpan& span, double time) {
       !couplers.areNone() &&
       couplers.begin({span, mesh, step.pieceOf(), motion, step.begin(span.time_step, motion), step.inertia(), step.pieceMass()});
   couplers_ms = 1e3 * secondsSince(beginning);
-  if (!coupled) return advanceFreely(time, span.time_step);
-  if (!step.advance(time, &motion, &couplers)) return false;
+  const bool taken = coupled ? step.advance(time, &motion, &couplers) : advanceFreely(time, span.time_step);
+  if (!taken) couplers.stepFailed();
+  if (!taken || !coupled) return taken;
   last_steps.forget();
   couplers.accept(step.moved(), motion, step.felt());
   return true;

@@ -76,11 +76,17 @@ bool closesGap(const ContactSurface& surface, int triangle) {
 
 }  // namespace
 
+void FragmentFinder::surfaceChanged() {
+  memory_.x.clear();
+  memory_.best.clear();
+}
+
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
                           int threads, std::vector<Candidate>* candidates) {
   measure(surface, x, threads);
-  if (!isFresh(x, ahead)) search(surface, x, ahead, threads);
-  for (const Pair& pair : best_) {
+  searched_ = !isFresh(surface, x, ahead);
+  if (searched_) search(surface, x, ahead, threads);
+  for (const Pair& pair : memory_.best) {
     if (pair.triangle < 0) continue;
     const int twin = twinOf(surface, pair);
     if (twin >= 0 && twin < pair.sample) continue;
@@ -95,21 +101,27 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
 
 /// Whether the pairs found last still hold: no vertex has moved, or moves in this step, further than the search looked
 /// beyond its reach. What all vertices have moved alike does not count.
-bool FragmentFinder::isFresh(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead) const {
-  if (searched_x_.size() != x.size()) return false;
-  const Vec3 shift = meanOf(x) - meanOf(searched_x_), mean_ahead = meanOf(ahead);
+bool FragmentFinder::isFresh(const ContactSurface& surface, const std::vector<Vec3>& x,
+                             const std::vector<Vec3>& ahead) const {
+  if (memory_.x.size() != x.size()) return false;
+  const Vec3 shift = meanOf(x) - meanOf(memory_.x), mean_ahead = meanOf(ahead);
   double farthest = 0, fastest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    farthest = std::max(farthest, (x[i] - searched_x_[i] - shift).squaredNorm());
+    farthest = std::max(farthest, (x[i] - memory_.x[i] - shift).squaredNorm());
     fastest = std::max(fastest, (ahead[i] - mean_ahead).squaredNorm());
   }
-  return std::sqrt(farthest) + std::sqrt(fastest) < skin_;
+  return std::sqrt(farthest) + std::sqrt(fastest) < SKIN * surface.mean_size;
+}
+
+void FragmentFinder::stepFailed() {
+  if (searched_) std::swap(memory_, before_);
+  searched_ = false;
 }
 
 void FragmentFinder::search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
                             int threads) {
-  searched_x_ = x;
-  skin_ = SKIN * surface.mean_size;
+  std::swap(memory_, before_);
+  memory_.x = x;
   reach_ = MAX_DEPTH * surface.mean_size;
   const Vec3 mean_ahead = meanOf(ahead);
   paths_.resize(x.size());
@@ -125,10 +137,10 @@ void FragmentFinder::search(const ContactSurface& surface, const std::vector<Vec
     for (int t = chunk * CHUNK; t < std::min(triangles, (chunk + 1) * CHUNK); ++t)
       pairTriangle(surface, x, t, &found_[chunk]);
   });
-  best_.assign(surface.samples.size(), {0, -1, 0, Vec3::Zero()});
+  memory_.best.assign(surface.samples.size(), {0, -1, 0, Vec3::Zero()});
   for (const std::vector<Pair>& pairs : found_)
     for (const Pair& pair : pairs) {
-      Pair& best = best_[pair.sample];
+      Pair& best = memory_.best[pair.sample];
       if (best.triangle < 0 || std::abs(pair.gap) < std::abs(best.gap)) best = pair;
     }
 }
@@ -153,7 +165,8 @@ int FragmentFinder::twinOf(const ContactSurface& surface, const Pair& pair) cons
   const int foot = cornerOver(pair, -1);
   if (foot < 0) return -1;
   for (int s = surface.sample_start[foot]; s < surface.sample_start[foot + 1]; ++s)
-    if (best_[s].triangle >= 0 && cornerOver(best_[s], surface.samples[pair.sample].vertex) >= 0) return s;
+    if (memory_.best[s].triangle >= 0 && cornerOver(memory_.best[s], surface.samples[pair.sample].vertex) >= 0)
+      return s;
   return -1;
 }
 

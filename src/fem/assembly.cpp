@@ -30,6 +30,7 @@ Assembly::Assembly(const CutMesh& mesh, const Materials& materials, Mass mass, P
   // Room for cuts, or the first one would move these arrays, the largest but for the matrix.
   const std::size_t expected = mesh.parts().size() + mesh.parts().size() / 4;
   rotations_.reserve(expected);
+  if (warping) found_rotations_.reserve(expected);
   part_forces_.reserve(expected);
   if (pressure == Pressure::AVERAGED) patches_.emplace(mesh);
 }
@@ -120,11 +121,30 @@ void Assembly::turnAll(const std::vector<Vec3>& x, const Function& f) const {
 
 void Assembly::rotate(const std::vector<Vec3>& x) {
   if (!warping_) return;
-  if (found_at_ == x && found_rotations_.size() == rotations_.size())
-    rotations_.swap(found_rotations_);
-  else
-    turnAll(x, [&](int p, const Mat3&, const Mat3& R) { rotations_[p] = R; });
+  if (found_at_ != x || found_rotations_.size() != rotations_.size()) {
+    found_rotations_.resize(rotations_.size());
+    turnAll(x, [&](int p, const Mat3&, const Mat3& R) { found_rotations_[p] = R; });
+  }
+  rotations_.swap(found_rotations_);
   found_at_.clear();
+}
+
+void Assembly::rotateOn(const std::vector<Vec3>& x) {
+  if (warping_) turnAll(x, [&](int p, const Mat3&, const Mat3& R) { rotations_[p] = R; });
+}
+
+void Assembly::rotateBack() {
+  if (warping_) rotations_.swap(found_rotations_);
+}
+
+const std::vector<Mat3>& Assembly::rotations() const {
+  static const std::vector<Mat3> none;
+  return warping_ ? rotations_ : none;
+}
+
+void Assembly::recallRotations(const std::vector<Mat3>& rotations) {
+  found_at_.clear();
+  if (!rotations.empty()) rotations_ = rotations;
 }
 
 void Assembly::reset() {

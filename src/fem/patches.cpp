@@ -31,6 +31,7 @@ void Patches::topologyChanged(const std::vector<int>& touched) {
   std::vector<int> clusters(elements_.count());
   std::iota(clusters.begin(), clusters.end(), 0);
   for (int cluster : first ? clusters : clustersAt(touched)) divide(cluster);
+  number();
   parts_ = sortedByList(patch_of_, patches_);
   listCopies();
   listUses();
@@ -55,7 +56,7 @@ std::vector<int> Patches::nodesBeside(const std::vector<int>& touched) const {
   return nodes;
 }
 
-/// Sorts the parts of a cluster into patches. A patch that was there before keeps its number with its first part.
+/// Sorts the parts of a cluster into new patches.
 void Patches::divide(int cluster) {
   std::vector<int> parts;
   for (int element : elements_[cluster])
@@ -74,16 +75,20 @@ void Patches::divide(int cluster) {
         if (hangTogether(mesh_.mesh(), part, face, mesh_.parts()[q])) sets.join(static_cast<int>(i), indexOfPart(q));
     }
   }
-  std::vector<int> numbers, set_of;
-  for (int p : parts) numbers.push_back(patch_of_[p]);
-  std::vector<int> patch_of_set(sets.enumerate(&set_of), -1);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    int& patch = patch_of_set[set_of[i]];
-    if (patch < 0) {
-      const auto used = std::find(patch_of_set.begin(), patch_of_set.end(), numbers[i]);
-      patch = numbers[i] >= 0 && used == patch_of_set.end() ? numbers[i] : patches_++;
-    }
-    patch_of_[parts[i]] = patch;
+  std::vector<int> set_of;
+  const int count = sets.enumerate(&set_of);
+  for (std::size_t i = 0; i < parts.size(); ++i) patch_of_[parts[i]] = patches_ + set_of[i];
+  patches_ += count;
+}
+
+/// Numbers the patches by their first parts: sums over them then round alike, whichever cuts came before which.
+void Patches::number() {
+  std::vector<int> number_of(patches_, -1);
+  patches_ = 0;
+  for (int& patch : patch_of_) {
+    int& number = number_of[patch];
+    if (number < 0) number = patches_++;
+    patch = number;
   }
 }
 

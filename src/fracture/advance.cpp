@@ -82,6 +82,7 @@ std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, c
   if (!loaded && std::none_of(targets_.begin(), targets_.end(), [](const Target& target) { return target.runs; }))
     return {};
 
+  findBeside(mesh);
   std::vector<PieceLoad> pieces = mostLoaded(mesh, piece);
   std::vector<int> going;
   for (int i = 0; i < static_cast<int>(fringes_.size()); ++i) {

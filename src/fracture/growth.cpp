@@ -55,9 +55,6 @@ void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<in
     faces_ = crackFaces(mesh);
     targets_.resize(fringes_.size());
   }
-  beside_.assign(mesh.numCopies(), 0);
-  for (const Fringe& fringe : fringes_)
-    for (int c : mesh.parts()[fringe.ahead].copies) beside_[c] = 1;
 }
 
 void CrackGrowth::stepTaken() {
@@ -75,6 +72,12 @@ bool CrackGrowth::waits(const CutMesh& mesh, int part) const {
   if (!memory_.any_waiting) return false;
   const auto& nodes = mesh.mesh().elements[mesh.parts()[part].element];
   return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return memory_.waiting[node] != 0; });
+}
+
+void CrackGrowth::findBeside(const CutMesh& mesh) {
+  beside_.assign(mesh.numCopies(), 0);
+  for (const Fringe& fringe : fringes_)
+    for (int c : mesh.parts()[fringe.ahead].copies) beside_[c] = 1;
 }
 
 bool CrackGrowth::isBeside(const CutMesh& mesh, int part) const {

@@ -33,6 +33,13 @@ void CoarseSpace::topologyChanged(const BlockPattern& pattern, const Aggregates&
   findUnknowns();
 }
 
+void CoarseSpace::recallSpringBlocks(const std::vector<std::pair<int, int>>& blocks) {
+  if (extra_ == blocks) return;
+  extra_ = blocks;
+  findBlocks();
+  findUnknowns();
+}
+
 /// Blocks where the pattern has one between two aggregates, and the extra ones.
 void CoarseSpace::findBlocks() {
   columns_.clear();

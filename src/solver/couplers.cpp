@@ -52,6 +52,10 @@ void Couplers::accept(const std::vector<Vec3>& moved, const Motion& end, const s
     if (takes_part_[i]) list_[i]->accept(span_, ofCoupler(i, moved), end, felt[i]);
 }
 
+void Couplers::stepFailed() {
+  for (Coupler* coupler : list_) coupler->stepFailed();
+}
+
 int Couplers::joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piece) const {
   DisjointSets sets(pieces);
   for (const Coupler* coupler : list_) coupler->joinPieces(mesh, *piece, &sets);
@@ -69,6 +73,16 @@ std::vector<std::any> Couplers::keep() const {
 
 void Couplers::recall(const std::vector<std::any>& kept) {
   for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->recall(kept[i]);
+}
+
+void Couplers::write(const std::vector<std::any>& kept, ArchiveWriter* archive) const {
+  for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->write(kept[i], archive);
+}
+
+std::vector<std::any> Couplers::read(ArchiveReader* archive) const {
+  std::vector<std::any> kept;
+  for (const Coupler* coupler : list_) kept.push_back(coupler->read(archive));
+  return kept;
 }
 
 }  // namespace incision

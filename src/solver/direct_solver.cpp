@@ -38,6 +38,18 @@ void DirectSolver::systemChanged(const Assembly& assembly, const SystemChange& c
   analyse();
 }
 
+void DirectSolver::keep(SolverMemory* memory) const {
+  memory->blocks = extra_;
+  memory->idle = idle_;
+}
+
+void DirectSolver::recall(const SolverMemory& memory) {
+  idle_ = memory.idle;
+  if (extra_ == memory.blocks) return;
+  extra_ = memory.blocks;
+  analyse();
+}
+
 /// Finds the lower triangle of the pattern and the extra blocks, and an order to eliminate in.
 void DirectSolver::analyse() {
   LowerTriangle lower;

@@ -48,6 +48,8 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
       differences.push_back(mesh_.copyParent(c) < c ? Vec3(differences[mesh_.copyParent(c)]) : Vec3::Zero());
   topology_known_ = false;
+  memory_.solver = {};
+  memory_.solver_time_step = 0;
   memory_.fallback_steps = 0;
 }
 
@@ -59,10 +61,34 @@ void ImplicitStep::reset() {
   memory_ = Memory();
 }
 
+ImplicitStep::Memory ImplicitStep::keep() const {
+  Memory kept = memory_;
+  keepSolver(&kept);
+  kept.rotations = assembly_.rotations();
+  return kept;
+}
+
+/// What the solver would have to be told for its part; as long as it has not been told of the system, that is still in
+/// the memory.
+void ImplicitStep::keepSolver(Memory* memory) const {
+  if (!topology_known_) return;
+  memory->solver_time_step = matrix_time_step_;
+  current()->keep(&memory->solver);
+}
+
 void ImplicitStep::recall(const Memory& memory) {
-  topology_known_ =
-      topology_known_ && memory.group == memory_.group && (memory.fallback_steps > 0) == (memory_.fallback_steps > 0);
+  topology_known_ = false;
   memory_ = memory;
+  assembly_.recallRotations(memory_.rotations);
+  memory_.rotations = std::vector<Mat3>();
+  if (memory_.fallback_steps > 0) makeFallback();
+}
+
+void ImplicitStep::makeFallback() {
+  if (fallback_) return;
+  SolverSettings direct = settings_;
+  direct.method = Method::DIRECT;
+  fallback_ = make_solver_(direct, assembly_.warping());
 }
 
 SystemFactors ImplicitStep::factors() const {
@@ -73,7 +99,7 @@ SystemFactors ImplicitStep::factors() const {
 const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& motion) {
   time_step_ = time_step;
   rigid_.euler(assembly_, motion, time_step, &base_);
-  assembly_.rotate(base_.x);
+  rotate(base_.x);
   findAhead(motion);
   findInertia();
   return ahead_;
@@ -85,7 +111,16 @@ void ImplicitStep::rotateAhead(const Motion& motion) {
   findAhead(motion);
   y_.resize(ahead_.size());
   for (std::size_t c = 0; c < ahead_.size(); ++c) y_[c] = motion.x[c] + ahead_[c];
-  assembly_.rotate(y_);
+  rotate(y_);
+}
+
+/// The first time in a step it leaves the rotations that there were, for a step that fails.
+void ImplicitStep::rotate(const std::vector<Vec3>& x) {
+  if (rotated_)
+    assembly_.rotateOn(x);
+  else
+    assembly_.rotate(x);
+  rotated_ = true;
 }
 
 /// What depends on the topology and on Δt alone.
@@ -129,6 +164,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
   fallback_steps_at_start_ = memory_.fallback_steps;
   group_at_start_.clear();
   matrix_ready_ = false;
+  keepSolver(&memory_);
   if (memory_.fallback_steps > 0 && --memory_.fallback_steps == 0) topology_known_ = false;
   const bool solved = solve(time, *motion, couplers);
   times_.solve = millisecondsSince(start) - times_.assembly;
@@ -136,8 +172,10 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
   const auto updating = std::chrono::steady_clock::now();
   if (!solved || !allFinite(dv_)) {
     giveUp();
+    rotated_ = false;
     return false;
   }
+  rotated_ = false;
   remember();
   if (couplers) {
     findWrenches(*couplers, *motion);
@@ -154,8 +192,8 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
 void ImplicitStep::giveUp() {
-  const bool other_solver = (memory_.fallback_steps > 0) != (fallback_steps_at_start_ > 0);
-  if (other_solver || !group_at_start_.empty()) topology_known_ = false;
+  topology_known_ = false;
+  assembly_.rotateBack();
   memory_.fallback_steps = fallback_steps_at_start_;
   if (!group_at_start_.empty()) memory_.group = group_at_start_;
 }
@@ -195,12 +233,12 @@ void ImplicitStep::remember() {
 }
 
 /// The matrix is made when the first solve of a step asks for it: a body at rest asks for none.
-void ImplicitStep::prepareMatrix() {
+void ImplicitStep::prepareMatrix(bool joined) {
   const auto start = std::chrono::steady_clock::now();
   matrix_ready_ = true;
-  const bool new_system = !topology_known_ || time_step_ != matrix_time_step_;
+  const bool new_system = joined || !topology_known_ || time_step_ != matrix_time_step_;
   if (new_system || !matrix_known_ || assembly_.warping()) {
-    prepare(current(), new_system);
+    prepare(current(), new_system, joined);
     if (memory_.fallback_steps == 0) touched_.clear();
     matrix_known_ = false;
     topology_known_ = true;
@@ -209,11 +247,15 @@ void ImplicitStep::prepareMatrix() {
   times_.assembly += millisecondsSince(start);
 }
 
-void ImplicitStep::prepare(LinearSolver* solver, bool new_system) {
+/// A solver that is told of a system anew gets back what the memory has of it, unless groups have just joined.
+void ImplicitStep::prepare(LinearSolver* solver, bool new_system, bool joined) {
   if (new_system) {
     std::vector<bool> held(held_.size());
     for (std::size_t c = 0; c < held.size(); ++c) held[c] = held_[c] >= 0;
     solver->systemChanged(assembly_, {held, piece_, memory_.group, touched_}, factors());
+    const bool same_solver = (memory_.fallback_steps > 0) == (fallback_steps_at_start_ > 0);
+    if (!topology_known_ && !joined && same_solver && time_step_ == memory_.solver_time_step)
+      solver->recall(memory_.solver);
   }
   solver->matrixChanged(base_.x);
 }
@@ -221,10 +263,9 @@ void ImplicitStep::prepare(LinearSolver* solver, bool new_system) {
 bool ImplicitStep::setSprings(const std::vector<Spring>& springs) {
   const bool joined = joinGroups(springs);
   if (!matrix_ready_) {
-    topology_known_ = topology_known_ && !joined;
-    prepareMatrix();
+    prepareMatrix(joined);
   } else if (joined) {
-    prepare(current(), true);
+    prepare(current(), true, true);
   }
   const bool any = std::any_of(springs.begin(), springs.end(), [](const Spring& spring) { return spring.isStiff(); });
   if (joined || !matrix_known_ || had_springs_ || any) matrix_known_ = current()->springsChanged(springs, time_step_);
@@ -265,7 +306,7 @@ void ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
     ahead_[c] = base_.x[c] - (*start_x_)[c] + time_step_ * base_.u[c];
     if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
   }
-  assembly_.rotate(base_.x);
+  rotate(base_.x);
 }
 
 bool ImplicitStep::isDirect() const {
@@ -274,13 +315,9 @@ bool ImplicitStep::isDirect() const {
 
 bool ImplicitStep::fallBack(const std::vector<Spring>& springs) {
   if (isDirect()) return false;
-  if (!fallback_) {
-    SolverSettings direct = settings_;
-    direct.method = Method::DIRECT;
-    fallback_ = make_solver_(direct, assembly_.warping());
-  }
+  makeFallback();
   memory_.fallback_steps = FALLBACK_STEPS;
-  prepare(fallback_.get(), true);
+  prepare(fallback_.get(), true, true);
   matrix_known_ = fallback_->springsChanged(springs, time_step_);
   return matrix_known_;
 }

@@ -34,6 +34,9 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   scale_.resize(rows);
   parallelFor(rows, assembly.threads(),
               [&](int i) { scale_[i] = 1 / std::sqrt(diagonalOf(assembly, factors, pattern_.copies[i])); });
+  rest_x_.clear();
+  for (int c = 0; !assembly.warping() && c < mesh.numCopies(); ++c)
+    rest_x_.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
   coupled_ = CoupledRows();
   inverse_diagonal_.resize(rows);
   for (auto* v : {&y_, &r_, &z_, &p_, &Ap_}) v->assign(rows, Vec4f::Zero());
@@ -47,11 +50,12 @@ void IterativeSolver::systemChanged(const Assembly& assembly, const SystemChange
   if (rows > 0) coarse_.topologyChanged(pattern_, aggregates_, scale_);
 }
 
+/// Without warping the matrix is that of the body at rest, and so are its rigid modes, wherever the body now is.
 void IterativeSolver::matrixChanged(const std::vector<Vec3>& x) {
   if (pattern_.rows() == 0) return;
   assembler_.assemble(*assembly_, pattern_, factors_, scale_, &blocks_);
   parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) { invertDiagonal(i, Mat3::Zero()); });
-  coarse_.matrixChanged(x, blocks_, assembly_->threads());
+  coarse_.matrixChanged(assembly_->warping() ? x : rest_x_, blocks_, assembly_->threads());
 }
 
 bool IterativeSolver::springsChanged(const std::vector<Spring>& springs, double time_step) {

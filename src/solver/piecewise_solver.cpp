@@ -63,4 +63,16 @@ int PiecewiseSolver::correct(const std::vector<Vec3>& r, const std::vector<doubl
   return any_iterative_ ? iterative_.correct(r, limit, basis, d, left) : 0;
 }
 
+/// A solver that has nothing to do may have a memory of another system.
+void PiecewiseSolver::keep(SolverMemory* memory) const {
+  *memory = {};
+  if (any_direct_) direct_.keep(memory);
+  if (any_iterative_) iterative_.keep(memory);
+}
+
+void PiecewiseSolver::recall(const SolverMemory& memory) {
+  if (any_direct_) direct_.recall(memory);
+  if (any_iterative_) iterative_.recall(memory);
+}
+
 }  // namespace incision

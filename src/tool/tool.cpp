@@ -7,7 +7,7 @@ namespace incision {
 
 Tool::Tool(const ToolSettings& settings, std::unique_ptr<ToolContact> touching)
     : settings_(settings), touching_(std::move(touching)) {
-  if (touching_) touching_->setTool(&tool_.in_step);
+  if (touching_) touching_->setTool(&in_step_);
 }
 
 const Obstacles& Tool::shapes() const {
@@ -39,36 +39,36 @@ std::optional<CutResult> Tool::lift() {
 }
 
 std::optional<CutResult> Tool::activate(bool active) {
-  if (active == tool_.in_step.active) return std::nullopt;
-  tool_.in_step.active = active;
+  if (active == tool_.active) return std::nullopt;
+  tool_.active = active;
   return interrupt();
 }
 
 void Tool::startStep(double time, double time_step, const std::vector<Vec3>& x) {
-  if (!tool_.pose) tool_.pose = scriptedPose(time);
+  const std::optional<Pose> from = tool_.pose ? tool_.pose : scriptedPose(time);
   way_.clear();
-  ToolInStep& step = tool_.in_step;
-  step.in_place = tool_.pose.has_value();
-  step.felt = Wrench();
-  if (!step.in_place) return;
+  in_step_ = ToolInStep();
+  in_step_.in_place = from.has_value();
+  in_step_.active = tool_.active;
+  if (!from) return;
   way_ = tool_.path;
   if (const std::optional<Pose> pose = scriptedPose(time + time_step)) way_.push_back(*pose);
-  step.motion = {*tool_.pose, way_.empty() ? *tool_.pose : way_.back()};
-  start(*tool_.pose, x);
+  in_step_.motion = {*from, way_.empty() ? *from : way_.back()};
+  start(*from, x);
 }
 
 std::optional<CutResult> Tool::endStep(double time_step, const Motion& motion, MeshDoor* door) {
-  if (!tool_.in_step.in_place) return std::nullopt;
-  tool_.pose = tool_.in_step.motion.to;
+  if (!in_step_.in_place) return std::nullopt;
+  tool_.pose = in_step_.motion.to;
   tool_.path.clear();
-  if (!tool_.in_step.active) return std::nullopt;
-  return act(tool_.in_step.motion.from, way_, time_step, motion, door);
+  if (!in_step_.active) return std::nullopt;
+  return act(in_step_.motion.from, way_, time_step, motion, door);
 }
 
 ToolReport Tool::report() const {
   ToolReport report;
   if (!tool_.pose) return report;
-  const Wrench felt = seenFrom(tool_.in_step.motion.from, tool_.in_step.felt);
+  const Wrench felt = seenFrom(in_step_.motion.from, in_step_.felt);
   report.force = felt.force;
   report.torque = felt.torque;
   report.touching = !felt.force.isZero(0);

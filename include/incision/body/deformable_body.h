@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -113,6 +114,15 @@ class DeformableBody {
 
   /// Back to the state after construction: no cuts, and those of the scene are still to come.
   void reset();
+
+  /// Writes all that outlasts a step, but no reports. The bytes are for bodies of the same scene and the same build.
+  /// Throws std::runtime_error where the stream takes no more.
+  void save(std::ostream& out) const;
+
+  /// Goes on where the body stood that was saved, as if it had never been saved, down to the last digit. Reports that
+  /// wait to be taken are lost. Throws InputError, with nothing changed, when the bytes end early or are those of a
+  /// body of another mesh or with other parts.
+  void restore(std::istream& in);
 
   const Scene& scene() const;
   const CutMesh& mesh() const;

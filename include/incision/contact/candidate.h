@@ -58,6 +58,12 @@ struct Touch {
   static constexpr int GONE = -1;  ///< a sample that a cut has taken away
 };
 
+template <class Archive>
+void serialize(Archive& archive, Touch& touch) {
+  auto& [sample, partner, gap, ignored, worked_off, stiffness, slip, normal_in_solid, vertex, sample_of_vertex] = touch;
+  archive(sample, partner, gap, ignored, worked_off, stiffness, slip, normal_in_solid, vertex, sample_of_vertex);
+}
+
 /// Contacts are in the order of their partners, and then of their samples.
 template <typename T, typename U>
 bool comesBefore(const T& a, const U& b) {

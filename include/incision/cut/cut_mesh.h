@@ -48,10 +48,22 @@ struct Part {
   int next;                   ///< next part of the same element, or −1; the first part of element e is part e
 };
 
+template <class Archive>
+void serialize(Archive& archive, Part& part) {
+  auto& [element, copies, fraction, detail, next] = part;
+  archive(element, copies, fraction, detail, next);
+}
+
 /// On which side of a crack a part lies that has a whole face in the crack.
 struct FaceSide {
   int face, crack, side;  ///< side: +1 or −1
 };
+
+template <class Archive>
+void serialize(Archive& archive, FaceSide& side_of_face) {
+  auto& [face, crack, side] = side_of_face;
+  archive(face, crack, side);
+}
 
 /// What only a part that some crack has met needs.
 struct CutPart {
@@ -60,6 +72,12 @@ struct CutPart {
   Eigen::Matrix4d products;  ///< ∫_p N_I N_J dX / V_e
   std::vector<FaceSide> face_sides;
 };
+
+template <class Archive>
+void serialize(Archive& archive, CutPart& part) {
+  auto& [polytope, centroid, products, face_sides] = part;
+  archive(polytope, centroid, products, face_sides);
+}
 
 /// Two parts that overlap on a face of the mesh, and where.
 struct FacePair {
@@ -158,5 +176,11 @@ class CutMesh {
   std::vector<int> copy_node_, copy_parent_, own_copy_;
   int num_cracks_ = 0;
 };
+
+template <class Archive>
+void serialize(Archive& archive, CutMesh::Memory& memory) {
+  auto& [parts, details, copy_node, copy_parent, own_copy, num_cracks] = memory;
+  archive(parts, details, copy_node, copy_parent, own_copy, num_cracks);
+}
 
 }  // namespace incision

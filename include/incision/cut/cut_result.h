@@ -18,4 +18,10 @@ struct CutResult {
   double duration = 0;  ///< of the computation [s]
 };
 
+template <class Archive>
+void serialize(Archive& archive, CutResult& result) {
+  auto& [label, status, reason, cracks, parts_split, copies_added, pieces, duration] = result;
+  archive(label, status, reason, cracks, parts_split, copies_added, pieces, duration);
+}
+
 }  // namespace incision

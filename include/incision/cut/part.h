@@ -16,6 +16,12 @@ struct Facet {
   int crack;                 ///< the crack that made it when it is a cut face, else −1
 };
 
+template <class Archive>
+void serialize(Archive& archive, Facet& facet) {
+  auto& [corners, face, crack] = facet;
+  archive(corners, face, crack);
+}
+
 /// The convex region of a part within its element. Corners on a face of the element have an exact zero there.
 struct Polytope {
   std::vector<Barycentric> corners;
@@ -24,6 +30,12 @@ struct Polytope {
   /// The facet on the element's face `face`, or null when the part has none there.
   const Facet* onFace(int face) const;
 };
+
+template <class Archive>
+void serialize(Archive& archive, Polytope& polytope) {
+  auto& [corners, facets] = polytope;
+  archive(corners, facets);
+}
 
 /// The part of an element that no crack has met.
 const Polytope& wholeElement();

@@ -16,6 +16,12 @@ struct Section {
   int plus, minus;    ///< the parts on either side that have the point
 };
 
+template <class Archive>
+void serialize(Archive& archive, Section& section) {
+  auto& [crack, element, point, across, plus, minus] = section;
+  archive(crack, element, point, across, plus, minus);
+}
+
 /// The facet that a crack has cut, or null when the part has none.
 const Facet* facetOf(const Polytope& polytope, int crack);
 

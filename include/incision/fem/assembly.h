@@ -28,8 +28,16 @@ class Assembly {
   /// takes all. New parts get their rotation from the positions `x` [m].
   void topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched = {});
 
-  /// R_p of every part from the copies' positions.
+  /// R_p of every part from the copies' positions, and from the last R_p by their last digits.
   void rotate(const std::vector<Vec3>& x);
+  /// Once more in the same step.
+  void rotateOn(const std::vector<Vec3>& x);
+  /// Takes `rotate` back, and what rotateOn has done since, when nothing else has been called since but for the forces.
+  void rotateBack();
+  /// R_p of every part; none without warping.
+  const std::vector<Mat3>& rotations() const;
+  /// Puts those back that there were for the mesh as it is; without any, they stay.
+  void recallRotations(const std::vector<Mat3>& rotations);
   /// Forgets what it took over, after the mesh was replaced.
   void reset();
 
@@ -97,7 +105,7 @@ class Assembly {
   std::vector<Mat3> rotations_;
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
   Lists<Corner> corners_;
-  mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_
+  mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_; else those before the last `rotate`
   mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
   mutable std::vector<Mat3> part_forces_;        // on nodes 1 to 3 of each part; scratch of elasticForces
   mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass

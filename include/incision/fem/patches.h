@@ -53,6 +53,7 @@ class Patches {
  private:
   std::vector<int> clustersAt(const std::vector<int>& nodes) const;
   void divide(int cluster);
+  void number();
   void listCopies();
   void listUses();
 

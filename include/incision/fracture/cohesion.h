@@ -17,11 +17,23 @@ struct Bond {
   double opened = 0;  ///< the largest δ in a step that was taken [m]
 };
 
+template <class Archive>
+void serialize(Archive& archive, Bond& bond) {
+  auto& [section, area, steepest, opened] = bond;
+  archive(section, area, steepest, opened);
+}
+
 /// What of the cohesion outlasts a step.
 struct CohesionMemory {
   std::vector<Bond> bonds;  ///< in the order in which they opened
   double spent = 0;         ///< in those that are gone [J]
 };
+
+template <class Archive>
+void serialize(Archive& archive, CohesionMemory& memory) {
+  auto& [bonds, spent] = memory;
+  archive(bonds, spent);
+}
 
 /// What still bonds the two faces of a crack that opens. The traction follows the opening y, against it and
 /// by its size δ = |y| alone: it rises steeply to the tensile strength σ_t, falls linearly to nothing at δ_c = 2G/σ_t,

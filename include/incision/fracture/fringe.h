@@ -17,6 +17,12 @@ struct GrowingCrack {
   std::set<int> refused;                    ///< parts that it met and could not split
 };
 
+template <class Archive>
+void serialize(Archive& archive, GrowingCrack& crack) {
+  auto& [phi, reached, refused] = crack;
+  archive(phi, reached, refused);
+}
+
 /// The cracks that can grow, by their numbers in the mesh. Of two cracks that join one survives, and answers to both
 /// numbers from then on, as the mesh keeps them. A plain value: a copy shares nothing with it.
 struct GrowingCracks {
@@ -34,6 +40,12 @@ struct GrowingCracks {
   /// times (±1).
   void join(int number, int other, double sense);
 };
+
+template <class Archive>
+void serialize(Archive& archive, GrowingCracks& all) {
+  auto& [cracks, taken_in] = all;
+  archive(cracks, taken_in);
+}
 
 /// A face at which a crack ends inside the material: it splits what lies behind and meets what lies ahead.
 ///

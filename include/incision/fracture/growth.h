@@ -102,6 +102,7 @@ class CrackGrowth {
   double load(const Assembly& assembly, const std::vector<Vec3>& x);
   void wait(const std::vector<int>& nodes);
   bool waits(const CutMesh& mesh, int part) const;
+  void findBeside(const CutMesh& mesh);
   bool isBeside(const CutMesh& mesh, int part) const;
   std::vector<PieceLoad> mostLoaded(const CutMesh& mesh, const std::vector<int>& piece) const;
   bool hasGrown(const Fringe& fringe, const CutMesh& mesh) const;
@@ -124,5 +125,11 @@ class CrackGrowth {
   std::vector<Target> targets_;   // of every fringe, where cracks fuse
   std::vector<char> beside_;      // of every copy: used by a part at a fringe
 };
+
+template <class Archive>
+void serialize(Archive& archive, CrackGrowth::Memory& memory) {
+  auto& [cracks, known_copies, barred, waiting, any_waiting] = memory;
+  archive(cracks, known_copies, barred, waiting, any_waiting);
+}
 
 }  // namespace incision

@@ -16,6 +16,12 @@ struct Pose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
 };
 
+template <class Archive>
+void serialize(Archive& archive, Pose& pose) {
+  auto& [position, orientation] = pose;
+  archive(position, orientation);
+}
+
 /// A cutting edge: its two ends [m].
 using Edge = std::array<Vec3, 2>;
 

@@ -13,4 +13,10 @@ struct RigidMotion {
   Pose at(double share) const { return between(from, to, share); }
 };
 
+template <class Archive>
+void serialize(Archive& archive, RigidMotion& motion) {
+  auto& [from, to] = motion;
+  archive(from, to);
+}
+
 }  // namespace incision

@@ -33,4 +33,12 @@ class BackwardDifference {
   Motion start_;
 };
 
+/// What it looks back to counts only where it is known.
+template <class Archive>
+void serialize(Archive& archive, BackwardDifference::Memory& memory) {
+  auto& [known, before] = memory;
+  archive(known);
+  if (known) archive(before);
+}
+
 }  // namespace incision

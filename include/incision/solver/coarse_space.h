@@ -18,6 +18,11 @@ class CoarseSpace {
   /// `scale` holds 1/√d of each row; pattern and aggregates must outlive this.
   void topologyChanged(const BlockPattern& pattern, const Aggregates& aggregates, const std::vector<double>& scale);
 
+  /// The blocks that only springs have needed since then.
+  const std::vector<std::pair<int, int>>& springBlocks() const { return extra_; }
+  /// Puts them back. Between topologyChanged and matrixChanged.
+  void recallSpringBlocks(const std::vector<std::pair<int, int>>& blocks);
+
   /// Takes the modes at the positions `x` [m] and the coarse matrix of the scaled float blocks.
   void matrixChanged(const std::vector<Vec3>& x, const std::vector<float>& blocks, int threads);
 

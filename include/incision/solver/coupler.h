@@ -38,7 +38,8 @@ struct StepStart {
 /// blade's edge. The forces descend from a convex potential of the displacements in the step, as long as the bounds
 /// stay: what of a force depends on another force, as friction's limit on the pressure.
 ///
-/// Its memory changes in `changed` and `accept` alone: a step that fails leaves no trace in it.
+/// Its memory changes in `changed` and `accept` alone: a step that fails leaves no trace in it. What it changes in
+/// `begin` it takes back in `stepFailed`.
 class Coupler : public Remembers {
  public:
   /// The mesh has changed, or is another one.
@@ -57,6 +58,9 @@ class Coupler : public Remembers {
   /// The step has been taken, to these displacements [m] of its springs' points. `felt` is what the springs have done
   /// to their other end, as wrenchOf says; without another end it is zero.
   virtual void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) = 0;
+
+  /// The step that has begun has failed.
+  virtual void stepFailed() {}
 
   /// Whether the springs have another end, outside the body, whose wrench is asked for.
   virtual bool hasOtherEnd() const { return false; }

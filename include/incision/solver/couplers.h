@@ -36,12 +36,17 @@ class Couplers {
   /// The step has been taken. `felt` is the wrench on each coupler's other end.
   void accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt);
 
+  /// The step that has begun has failed.
+  void stepFailed();
+
   /// Joins the pieces that couplers tie together: they are numbered anew, in the order in which they were. `piece` is
   /// that of each copy. Returns how many pieces there are.
   int joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piece) const;
 
   std::vector<std::any> keep() const;
   void recall(const std::vector<std::any>& kept);
+  void write(const std::vector<std::any>& kept, ArchiveWriter* archive) const;
+  std::vector<std::any> read(ArchiveReader* archive) const;
 
  private:
   Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {

@@ -38,8 +38,12 @@ class ImplicitStep : private StepEquations {
     Basis basis;             ///< of the first guess: the last Δv and its backward differences, by copy
     std::vector<int> group;  ///< of each copy: pieces between which springs have been since the mesh changed
     int fallback_steps = 0;  ///< how many more steps the fallback takes
+    /// Of the linear solver, where it has been told of the system of a step of this length [s]; 0: of none.
+    SolverMemory solver;
+    double solver_time_step = 0;
+    std::vector<Mat3> rotations;  ///< of each part; only in what is kept
   };
-  const Memory& keep() const { return memory_; }
+  Memory keep() const;
   /// Puts a memory back that was kept since the mesh changed.
   void recall(const Memory& memory);
 
@@ -94,11 +98,14 @@ class ImplicitStep : private StepEquations {
   void rotateAhead(const Motion& motion);
   void externalImpulses(double time);
   void findRounding();
-  void prepareMatrix();
-  void prepare(LinearSolver* solver, bool new_system);
+  void prepareMatrix(bool joined);
+  void prepare(LinearSolver* solver, bool new_system, bool joined);
   bool solve(double time, const Motion& motion, Couplers* couplers);
   bool joinGroups(const std::vector<Spring>& springs);
   void findWrenches(const Couplers& couplers, const Motion& start);
+  void keepSolver(Memory* memory) const;
+  void makeFallback();
+  void rotate(const std::vector<Vec3>& x);
   void remember();
   void giveUp();
   LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
@@ -131,7 +138,7 @@ class ImplicitStep : private StepEquations {
   // Of this step:
   double time_step_ = 0;
   StepBase base_;
-  bool matrix_ready_ = false;
+  bool matrix_ready_ = false, rotated_ = false;
   const std::vector<Vec3>* start_x_ = nullptr;
   std::vector<Vec3> given_;  // momentum that the base has got from couplers, by copy [N s]; empty: none
   std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, levers_;
@@ -139,5 +146,11 @@ class ImplicitStep : private StepEquations {
   std::vector<Wrench> felt_;
   StepTimes times_;
 };
+
+template <class Archive>
+void serialize(Archive& archive, ImplicitStep::Memory& memory) {
+  auto& [basis, group, fallback_steps, solver, solver_time_step, rotations] = memory;
+  archive(basis, group, fallback_steps, solver, solver_time_step, rotations);
+}
 
 }  // namespace incision

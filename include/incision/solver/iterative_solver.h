@@ -16,6 +16,8 @@ class IterativeSolver : public LinearSolver {
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
+  void keep(SolverMemory* memory) const override { memory->coarse_blocks = coarse_.springBlocks(); }
+  void recall(const SolverMemory& memory) override { coarse_.recallSpringBlocks(memory.coarse_blocks); }
   int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
               std::vector<Vec3>* left) override;
   bool isDirect() const override { return false; }
@@ -51,6 +53,7 @@ class IterativeSolver : public LinearSolver {
   BlockPattern pattern_;
   Aggregates aggregates_;
   std::vector<double> scale_;  // 1/√d of each row, d = trace(A_ii)/3
+  std::vector<Vec3> rest_x_;   // of each copy, where nothing is warped [m]
   BlockAssembler<float> assembler_;
   std::vector<float> blocks_;
   std::vector<Eigen::Matrix<float, 4, 3>> inverse_diagonal_;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "incision/fem/block_matrix.h"
@@ -20,6 +21,20 @@ struct SystemChange {
   const std::vector<int>& touched;  ///< nodes round which parts or copies have changed; without meaning the first time
 };
 
+/// What of a linear solver outlasts a step: where it has made room for springs. It decides on the order in which the
+/// solver eliminates, and so on last digits.
+struct SolverMemory {
+  std::vector<std::pair<int, int>> blocks;         ///< of the matrix that is factorised
+  int idle = 0;                                    ///< factorisations in which most of these were not used
+  std::vector<std::pair<int, int>> coarse_blocks;  ///< of the coarse level of an iteration
+};
+
+template <class Archive>
+void serialize(Archive& archive, SolverMemory& memory) {
+  auto& [blocks, idle, coarse_blocks] = memory;
+  archive(blocks, idle, coarse_blocks);
+}
+
 /// Solves A Δv = b for the copies that are not left out; A = mass M + stiffness K and Δt² times the springs'
 /// stiffness.
 class LinearSolver {
@@ -34,6 +49,12 @@ class LinearSolver {
 
   /// After the springs changed, those of a step of `time_step` [s]. Those that are not stiff are left out. Returns false when A is not positive definite.
   virtual bool springsChanged(const std::vector<Spring>& springs, double time_step) = 0;
+
+  /// A copy of the memory, in place of what `memory` holds.
+  virtual void keep(SolverMemory* memory) const = 0;
+
+  /// Puts a memory back that was kept of this system. Between systemChanged and matrixChanged.
+  virtual void recall(const SolverMemory& memory) = 0;
 
   /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. Each piece's |left|²
   /// in the norm scaled by the diagonal of A is then at most its `limit`, or as near to it as the solver gets; pieces

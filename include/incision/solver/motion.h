@@ -12,4 +12,10 @@ struct Motion {
   std::vector<Vec3> v;  ///< [m/s]
 };
 
+template <class Archive>
+void serialize(Archive& archive, Motion& motion) {
+  auto& [x, v] = motion;
+  archive(x, v);
+}
+
 }  // namespace incision

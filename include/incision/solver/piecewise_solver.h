@@ -17,6 +17,8 @@ class PiecewiseSolver : public LinearSolver {
   void systemChanged(const Assembly& assembly, const SystemChange& change, const SystemFactors& factors) override;
   void matrixChanged(const std::vector<Vec3>& x) override;
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
+  void keep(SolverMemory* memory) const override;
+  void recall(const SolverMemory& memory) override;
   int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
               std::vector<Vec3>* left) override;
   bool isDirect() const override { return !any_iterative_; }

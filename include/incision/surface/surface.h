@@ -14,6 +14,12 @@ struct SurfaceVertex {
   Barycentric weights;
 };
 
+template <class Archive>
+void serialize(Archive& archive, SurfaceVertex& vertex) {
+  auto& [copies, weights] = vertex;
+  archive(copies, weights);
+}
+
 /// The closed, outward-oriented surface of all pieces: every edge of a triangle occurs as often as its reverse, and no
 /// two pieces share a vertex. That is once each, but where a crack in the midst of a piece opens on both sides of an
 /// edge that itself is whole, as on a strip one element wide: there four triangles meet.

@@ -22,8 +22,14 @@ inline constexpr double DUE_TOLERANCE = 1e-9;
 struct ToolMemory {
   std::optional<Pose> pose;  ///< of its link in the body's frame; none: it is not in place
   std::vector<Pose> path;    ///< that it was told to go, evenly in the next step
-  ToolInStep in_step;
+  bool active = true;        ///< it does what its kind does; otherwise it only touches
 };
+
+template <class Archive>
+void serialize(Archive& archive, ToolMemory& memory) {
+  auto& [pose, path, active] = memory;
+  archive(pose, path, active);
+}
 
 /// A rigid instrument that another node moves: it owns its pose, its path and all that its kind does on the way. Each
 /// kind is a class derived from this one.
@@ -81,6 +87,7 @@ class Tool : public Remembers {
   virtual std::optional<CutResult> interrupt() = 0;
 
   ToolMemory tool_;
+  ToolInStep in_step_;
 
  private:
   std::optional<Pose> scriptedPose(double at) const;

@@ -29,7 +29,7 @@ Blade::Blade(const ToolSettings& settings, const Edge& edge, const Materials& ma
       edge_(edge),
       materials_(materials),
       ties_(materials, settings.progressive),
-      cutting_(settings, edge, &tool_.in_step, ties_, stroke_, materials, mesh) {}
+      cutting_(settings, edge, &in_step_, ties_, stroke_, materials, mesh) {}
 
 std::vector<Coupler*> Blade::couplers() {
   std::vector<Coupler*> list = Tool::couplers();
@@ -39,7 +39,7 @@ std::vector<Coupler*> Blade::couplers() {
 }
 
 void Blade::recall(const std::any& kept) {
-  const auto& memory = std::any_cast<const Memory&>(kept);
+  const auto& memory = std::any_cast<const BladeMemory&>(kept);
   tool_ = memory.tool;
   strokes_ = memory.strokes;
   stroke_.recall(memory.stroke);

@@ -84,13 +84,17 @@ double shortestEdge(const Part& part, const CutMesh& mesh) {
 
 void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
   if (!memory_.last_x.empty()) return;
-  memory_.from = edge;
-  memory_.last_x = x;
+  start_edge_ = edge;
+  start_x_ = x;
 }
 
 Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
                         Ties* ties) {
   const CutMesh* mesh = &door->mesh();
+  if (memory_.last_x.empty()) {
+    memory_.from = start_edge_;
+    memory_.last_x = start_x_;
+  }
   for (int c = static_cast<int>(memory_.last_x.size()); c < mesh->numCopies(); ++c)
     memory_.last_x.push_back(memory_.last_x[mesh->copyParent(c)]);
   if (!record(to, x, *mesh)) return {};

@@ -9,6 +9,32 @@
 
 namespace incision {
 
+/// What is known of a blade's strokes.
+struct StrokesMemory {
+  CutResult under_way;
+  double area_before = 0;  ///< cut before the stroke under way [m²]
+  double last_area = 0;    ///< by the last stroke that ended [m²]
+};
+
+template <class Archive>
+void serialize(Archive& archive, StrokesMemory& memory) {
+  auto& [under_way, area_before, last_area] = memory;
+  archive(under_way, area_before, last_area);
+}
+
+/// What of a blade outlasts a step, but for what its couplers keep.
+struct BladeMemory {
+  ToolMemory tool;
+  StrokesMemory strokes;
+  Stroke::Memory stroke;
+};
+
+template <class Archive>
+void serialize(Archive& archive, BladeMemory& memory) {
+  auto& [tool, strokes, stroke] = memory;
+  archive(tool, strokes, stroke);
+}
+
 /// A tool with a cutting edge. What the edge sweeps in a step is cut after it, in the material; so a blade at rest cuts
 /// tissue that moves. Its crack opens as it sweeps it, what it has not cut yet resists, and the shapes of its link
 /// push.
@@ -24,8 +50,10 @@ class Blade : public Tool {
   std::vector<Coupler*> couplers() override;
   ToolReport report() const override;
 
-  std::any keep() const override { return Memory{tool_, strokes_, stroke_.keep()}; }
+  std::any keep() const override { return BladeMemory{tool_, strokes_, stroke_.keep()}; }
   void recall(const std::any& kept) override;
+  void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<BladeMemory>(kept, archive); }
+  std::any read(ArchiveReader* archive) const override { return readKept<BladeMemory>(archive); }
 
  protected:
   void start(const Pose& pose, const std::vector<Vec3>& x) override;
@@ -34,18 +62,6 @@ class Blade : public Tool {
   std::optional<CutResult> interrupt() override;
 
  private:
-  /// What is known of its strokes.
-  struct Strokes {
-    CutResult under_way;
-    double area_before = 0;  // cut before the stroke under way [m²]
-    double last_area = 0;    // by the last stroke that ended [m²]
-  };
-  struct Memory {
-    ToolMemory tool;
-    Strokes strokes;
-    Stroke::Memory stroke;
-  };
-
   void sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door);
 
   Edge edge_;
@@ -53,7 +69,7 @@ class Blade : public Tool {
   Ties ties_;
   Stroke stroke_;
   CuttingEdge cutting_;
-  Strokes strokes_;
+  StrokesMemory strokes_;
   std::vector<Vec3> x_within_;  // of the copies within a step, kept for its memory [m]
 };
 

@@ -18,6 +18,12 @@ struct StationMemory {
   Vec3 forward = Vec3::Zero();  ///< where it has cut last, unit; zero: nowhere yet
 };
 
+template <class Archive>
+void serialize(Archive& archive, StationMemory& memory) {
+  auto& [slip, forward] = memory;
+  archive(slip, forward);
+}
+
 /// What a blade's edge and the tissue that it has not cut yet do to each other. The edge meets the tissue at
 /// its stations, points spread evenly over it. At each the tissue is carried along by a spring with the slip s, the way
 /// of the edge through the material less what has been cut, until the force across the edge reaches F_c ΔL, with the

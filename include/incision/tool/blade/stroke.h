@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace incision {
 /// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
 class Stroke {
  public:
-  /// The edge stands here while the copies stand at `x` [m], and has not swept anything. Later calls do nothing.
+  /// The edge stands here while the copies stand at `x` [m], and has not swept anything yet. Without meaning once it
+  /// has.
   void start(const Edge& edge, const std::vector<Vec3>& x);
 
   /// Adds what the edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
@@ -47,7 +49,7 @@ class Stroke {
     int crack = -1;                                            ///< as crack() tells
     int cracks = 0;                                            ///< that it has made
     bool begun = false;                                        ///< it has met a part of the body
-    Edge from;                                                 ///< at the last sweep [m],
+    Edge from = {Vec3::Zero(), Vec3::Zero()};                  ///< at the last sweep [m],
     std::vector<Vec3> last_x;                                  ///< and the copies then [m]
     Vec3 normal = Vec3::Zero();                                ///< of the sweep so far, to keep the sides' signs
     std::unordered_map<int, Vec3> ways;                        ///< round each copy: normals of the last sweeps [m]
@@ -79,10 +81,24 @@ class Stroke {
   void settle(const Insertion& done, int before, const CutMesh& mesh);
 
   Memory memory_;
+  Edge start_edge_;            // where the first sweep starts [m]
+  std::vector<Vec3> start_x_;  // and the copies then [m]
   // Of the current sweep:
-  std::unordered_map<int, Vec3> headings_;  // of the copies passed: the crack's normal
+  std::map<int, Vec3> headings_;  // of the copies passed: the crack's normal; sorted, as they are summed up
   std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;
   std::vector<Passed> passed_, beside_;  // parts that it passes, and cut ones that it passes farther off
 };
+
+template <class Archive>
+void serialize(Archive& archive, Stroke::Memory& memory) {
+  auto& [crack, cracks, begun, from, last_x, normal, ways, distances, swept] = memory;
+  archive(crack, cracks, begun, from, last_x, normal, ways, distances, swept);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Stroke::Distance& distance) {
+  auto& [phi, normal, settled] = distance;
+  archive(phi, normal, settled);
+}
 
 }  // namespace incision

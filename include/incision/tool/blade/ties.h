@@ -45,11 +45,23 @@ struct Tie {
   double share() const { return 1 - static_cast<double>(unswept.size()) / static_cast<double>(points); }
 };
 
+template <class Archive>
+void serialize(Archive& archive, Tie& tie) {
+  auto& [section, area, steepness, size, distance, unswept, points, anchors, moved, separated, share_then] = tie;
+  archive(section, area, steepness, size, distance, unswept, points, anchors, moved, separated, share_then);
+}
+
 /// What of the ties outlasts a step.
 struct TiesMemory {
   std::vector<Tie> ties;
   double area = 0;  ///< that strokes have cut so far, at rest [m²]
 };
+
+template <class Archive>
+void serialize(Archive& archive, TiesMemory& memory) {
+  auto& [ties, area] = memory;
+  archive(ties, area);
+}
 
 /// What ties together the two faces of a stroke's crack in elements that the blade has entered and not left: per area
 /// that it has not swept the stiffness κ = κ₀ (1 − s)/s, s being the swept share of the element's section. So nothing
