@@ -37,11 +37,12 @@ constexpr double SMOOTHING = 0.5;
 /// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
 constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
 
-/// Whether all points lie beyond one face of the element, by more than `margin`.
-bool outside(const std::array<Barycentric, 4>& points, double margin) {
+/// Whether all of a sweep, its corners given in an element's coordinates, lies outside the element by more than
+/// `margin`. A long edge passes by many elements with its ends beyond different faces.
+bool outside(const std::array<Barycentric, 4>& corners, double margin) {
   for (int I = 0; I < 4; ++I)
-    if (std::all_of(points.begin(), points.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
-  return false;
+    if (std::all_of(corners.begin(), corners.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
+  return !reaches({corners[0], corners[1], corners[2]}, margin) && !reaches({corners[0], corners[2], corners[3]}, margin);
 }
 
 /// The point of the line through an edge that is nearest to `point`.

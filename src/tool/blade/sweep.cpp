@@ -53,6 +53,25 @@ bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec
   return area != 0 && std::all_of(side.begin(), side.end(), [&](double s) { return sense * s >= -rim; });
 }
 
+/// Clips the triangle by one face of the element after the other, each of which adds at most one corner.
+bool reaches(const SweptTriangle& triangle, double margin) {
+  std::array<Barycentric, 7> left, clipped;
+  std::size_t count = triangle.size();
+  std::copy(triangle.begin(), triangle.end(), left.begin());
+  for (int I = 0; I < 4 && count > 0; ++I) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Barycentric &a = left[i], &b = left[(i + 1) % count];
+      const double inside_a = a[I] + margin, inside_b = b[I] + margin;
+      if (inside_a >= 0) clipped[kept++] = a;
+      if ((inside_a < 0) != (inside_b < 0)) clipped[kept++] = a + inside_a / (inside_a - inside_b) * (b - a);
+    }
+    count = kept;
+    left.swap(clipped);
+  }
+  return count > 0;
+}
+
 Vec3 gradient(const Eigen::Vector4d& phi) { return phi.tail<3>() - Vec3::Constant(phi[0]); }
 
 /// The first coordinate chooses a triangle of the fan by area and what is left of it goes on as that of the triangle.
