@@ -37,6 +37,10 @@ constexpr double SMOOTHING = 0.5;
 /// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
 constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
 
+/// How far an edge goes on that has come out of the body, in elements: as far as a sweep may be from an element that it
+/// passes.
+constexpr double LEAVING = 0.5;
+
 /// Whether all of a sweep, its corners given in an element's coordinates, lies outside the element by more than
 /// `margin`. A long edge passes by many elements with its ends beyond different faces.
 bool outside(const std::array<Barycentric, 4>& corners, double margin) {
@@ -91,6 +95,28 @@ void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
 
 Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
                         Ties* ties) {
+  return sweep(to, x, materials, door, ties, [](const Part&) { return true; });
+}
+
+/// Cuts no more than what hangs together with the crack by a node.
+Insertion Stroke::leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
+                        Ties* ties) {
+  const double moved = std::max(way[0].norm(), way[1].norm());
+  if (memory_.crack < 0 || !(moved > 0)) return {};
+  const double beyond = LEAVING * materials.meanSize() / moved;
+  const Edge to = {memory_.from[0] + beyond * way[0], memory_.from[1] + beyond * way[1]};
+  return sweep(to, x, materials, door, ties, [&](const Part& part) {
+    return std::any_of(part.copies.begin(), part.copies.end(), [&](int c) {
+      const auto known = memory_.distances.find(c);
+      return known != memory_.distances.end() && known->second.settled;
+    });
+  });
+}
+
+/// `allowed(part)` tells which parts it may cut.
+template <typename Allowed>
+Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
+                        Ties* ties, const Allowed& allowed) {
   const CutMesh* mesh = &door->mesh();
   for (int c = static_cast<int>(memory_.last_x.size()); c < mesh->numCopies(); ++c)
     memory_.last_x.push_back(memory_.last_x[mesh->copyParent(c)]);
@@ -108,9 +134,10 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materi
     findHeadings(*mesh);
   }
   measure(to, x, *mesh);
+  if (!memory_.begun) return {};  // it is only near
   CrackField crack = field(*mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
-    return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
+    return allowed(mesh->parts()[part]) && covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
            (liesInFace(polygon) || !runsInSlit(*mesh, materials, part, polygon, memory_.crack));
   };
   const int before = mesh->numCopies();

@@ -47,6 +47,8 @@ class Blade : public Tool {
   };
 
   void sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door);
+  template <typename Cut>
+  void record(const Cut& cut);
 
   Edge edge_;
   const Materials& materials_;

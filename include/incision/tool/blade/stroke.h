@@ -26,6 +26,11 @@ class Stroke {
   /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.
   Insertion sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
 
+  /// The edge has come out of the body where it last was, by the motion `way` of its two ends [m], while the copies
+  /// stand at `x` [m]. A crack that is one plane in each element comes through the skin beside the place where the edge
+  /// does, and what of it lies farther on is cut as if the edge had gone on so. The stroke is to end with this.
+  Insertion leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
+
   /// Whether the stroke has met any part of the body.
   bool begun() const { return memory_.begun; }
 
@@ -66,6 +71,9 @@ class Stroke {
     Vec3 normal = Vec3::Zero();          // of the sweep there, as long as the edge moved [m]
   };
 
+  template <typename Allowed>
+  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties,
+                  const Allowed& allowed);
   bool record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
   void keepTriangles(const CutMesh& mesh);
   void findHeadings(const CutMesh& mesh);
