@@ -97,10 +97,10 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
 }
 
 /// The outward normal of the material of a vertex that lies in a shape which may stand in a slit, or beside it by no
-/// more than `aside` [m], in the shape's frame: the vertex is to go the other way. The side tells it on which the vertex
-/// was, if it was; else the faces that cuts have made there, or beside it in the same elements; where none runs along
-/// the shape, an edge that cuts, as it parts what it passes. Zero where nothing tells; none where a vertex has no side
-/// to go to, as at the slit's end.
+/// more than `aside` [m], in the shape's frame: the vertex is to go the other way. The side tells it on which the
+/// vertex was, if it was; else the faces that cuts have made there, or beside it in the same elements; where none runs
+/// along the shape, an edge that cuts, as it parts what it passes. Zero where nothing tells; none where a vertex has no
+/// side to go to, as at the slit's end.
 std::optional<Vec3> materialAt(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                const MovingShape& shape, const Vec3& point, const SolidDistance& nearest, double aside,
                                const Vec3* known_side) {

@@ -46,7 +46,21 @@ constexpr double LEAVING = 0.5;
 bool outside(const std::array<Barycentric, 4>& corners, double margin) {
   for (int I = 0; I < 4; ++I)
     if (std::all_of(corners.begin(), corners.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
-  return !reaches({corners[0], corners[1], corners[2]}, margin) && !reaches({corners[0], corners[2], corners[3]}, margin);
+  return !reaches({corners[0], corners[1], corners[2]}, margin) &&
+         !reaches({corners[0], corners[2], corners[3]}, margin);
+}
+
+/// Whether a sweep within `reach`, its corners given in an element's coordinates, meets what cracks have left of the
+/// element to a part. The rest of the element follows copies that are nowhere near the material: `was` and `is` tell
+/// where that is before and after.
+bool meetsMaterial(const CutMesh& mesh, int part, const std::array<Barycentric, 4>& corners, const PartFrame& was,
+                   const PartFrame& is, const Eigen::AlignedBox3d& reach) {
+  if (mesh.parts()[part].detail < 0) return true;
+  const Polytope& polytope = mesh.polytope(part);
+  Eigen::AlignedBox3d box;
+  for (const Barycentric& b : polytope.corners) box.extend(was.toBody(b)).extend(is.toBody(b));
+  return reach.intersects(box) && (reaches({corners[0], corners[1], corners[2]}, polytope) ||
+                                   reaches({corners[0], corners[2], corners[3]}, polytope));
 }
 
 /// The point of the line through an edge that is nearest to `point`.
@@ -187,7 +201,7 @@ bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& m
     const Vec3 centre = is.toBody(Barycentric::Constant(0.25));
     passed.normal = direction.cross(nearest(to, centre) - nearest(carried, centre));
     if (!(passed.normal.norm() > least)) continue;
-    passed.within = !outside(passed.corners, 0);
+    passed.within = !outside(passed.corners, 0) && meetsMaterial(mesh, passed.part, passed.corners, was, is, reach);
     passed_.push_back(passed);
   }
   if (near && !moved) return false;

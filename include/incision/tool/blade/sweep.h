@@ -41,6 +41,9 @@ bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec
 /// Whether some of a triangle lies in the element, or outside by no more than `margin` in its own coordinates.
 bool reaches(const SweptTriangle& triangle, double margin);
 
+/// Whether some of a triangle lies in a part of the element.
+bool reaches(const SweptTriangle& triangle, const Polytope& polytope);
+
 /// Gradient of a linear function given at the four nodes, in affine coordinates.
 Vec3 gradient(const Eigen::Vector4d& phi);
 
