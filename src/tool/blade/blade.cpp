@@ -23,13 +23,13 @@ const std::vector<Vec3>& positionsBefore(double rest, const Motion& motion, std:
 
 }  // namespace
 
-Blade::Blade(const ToolSettings& settings, const Edge& edge, const Materials& materials, const CutMesh& mesh,
-             std::unique_ptr<ToolContact> touching)
+Blade::Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
+             const Materials& materials, const CutMesh& mesh, std::unique_ptr<ToolContact> touching)
     : Tool(settings, std::move(touching)),
       edge_(edge),
       materials_(materials),
       ties_(materials, settings.progressive),
-      cutting_(settings, edge, &tool_.in_step, ties_, stroke_, materials, mesh) {}
+      cutting_(settings, edge, fronts, &tool_.in_step, ties_, stroke_, materials, mesh) {}
 
 std::vector<Coupler*> Blade::couplers() {
   std::vector<Coupler*> list = Tool::couplers();

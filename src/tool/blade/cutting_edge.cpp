@@ -50,8 +50,9 @@ Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vecto
 
 }  // namespace
 
-CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties,
-                         const Stroke& stroke, const Materials& materials, const CutMesh& mesh)
+CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
+                         ToolInStep* tool, const Ties& ties, const Stroke& stroke, const Materials& materials,
+                         const CutMesh& mesh)
     : cutting_force_(settings.cutting_force),
       friction_(settings.friction),
       edge_(edge),
@@ -61,8 +62,9 @@ CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInS
       materials_(materials),
       size_(materials.meanSize()),
       skin_(mesh.mesh(), mesh.topology()),
-      share_((edge[1] - edge[0]).norm() / stationCount(edge, size_)) {
-  memory_.resize(static_cast<std::size_t>(stationCount(edge, size_)));
+      share_((edge[1] - edge[0]).norm() / stationCount(edge, size_)),
+      fronts_(fronts) {
+  memory_.resize(static_cast<std::size_t>(stationCount(edge, size_)) + 2);
 }
 
 void CuttingEdge::leave() {
@@ -80,12 +82,21 @@ bool CuttingEdge::begin(const StepStart& start) {
   direction_ = (to[1] - to[0]).normalized();
   findNear(from, start);
   stations_.resize(memory_.size());
+  const std::size_t evenly = stations_.size() - 2;
   bool resists = false;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
-    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(stations_.size());
+    double at = (static_cast<double>(i) + 0.5) / static_cast<double>(evenly);
+    stations_[i] = Station();
+    stations_[i].start = memory_[i];
+    stations_[i].front = share_;
+    if (i >= evenly) {
+      at = static_cast<double>(i - evenly);
+      stations_[i].front = fronts_[i - evenly];
+      stations_[i].outward = i == evenly ? -1 : 1;
+    }
     const Vec3 point = atStation(from, at);
-    stations_[i] = {memory_[i], Spring(), atStation(to, at) - point};
-    beginStation(point, start, &stations_[i]);
+    stations_[i].drift = atStation(to, at) - point;
+    if (stations_[i].front > 0) beginStation(point, start, &stations_[i]);
     const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0);
     resists = resists || stations_[i].tissue.count > 0 || forgets;
   }
@@ -113,8 +124,10 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   if (here) depth_ = std::max(depth_, here->depth);
   in_tissue_ = in_tissue_ || here;
   const bool has_cut = !station->start.forward.isZero(0);
-  const Vec3 way = rejected(station->start.slip + station->drift, direction_);
-  const Vec3 forward = has_cut ? station->start.forward : way.stableNormalized();
+  Vec3 forward = station->outward * direction_;
+  if (station->outward == 0)
+    forward = has_cut ? station->start.forward
+                      : rejected(station->start.slip + station->drift, direction_).stableNormalized();
   std::optional<Found> ahead;
   if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, swept, start.mesh);
   if (!ahead && !here) {
@@ -123,7 +136,7 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   }
   const Found& found = ahead ? *ahead : *here;
   station->tissue = found.tissue;
-  station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * share_;
+  station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * station->front;
 }
 
 /// Whether the point of a part lies in a cut along which the edge goes.
@@ -164,15 +177,25 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
   return std::nullopt;
 }
 
+/// What of a station's slip cuts: that across the edge; of a tip, which pushes outward alone, that along it.
+Vec3 CuttingEdge::cutting(const Station& station, const Vec3& slip) const {
+  return station.outward == 0 ? rejected(slip, direction_) : Vec3(slip.dot(direction_) * direction_);
+}
+
 CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, double time_step, const std::vector<Vec3>& v_end) const {
   Trial trial;
   trial.slip = station.start.slip + station.drift - time_step * weightedSum(station.tissue, v_end);
-  const Vec3 along = trial.slip.dot(direction_) * direction_, across = trial.slip - along;
+  const Vec3 across = cutting(station, trial.slip), along = trial.slip - across;
   trial.across = trial.along = station.stiffest;
-  const double most = cutting_force_ * share_;
+  const double most = cutting_force_ * station.front;
   trial.yields = trial.across * across.norm() > most;
   if (trial.yields) trial.across = most / across.norm();
-  if (across.dot(station.start.forward) < 0) trial.across = 0;
+  const Vec3 forward = station.outward == 0 ? station.start.forward : Vec3(station.outward * direction_);
+  if (across.dot(forward) < 0) trial.across = 0;
+  if (station.outward != 0) {
+    trial.along = 0;  // the stations of the edge take what is across it
+    return trial;
+  }
   // Secants: so the system stays symmetric.
   const double most_along = friction_ * trial.across * across.norm();
   if (trial.along * along.norm() > most_along) trial.along = most_along / along.norm();
@@ -190,8 +213,9 @@ bool CuttingEdge::update(const StepSpan& span, const std::vector<Vec3>& v_end, s
     station.along = trial.along;
     if (trial.across == 0) continue;
     Spring spring = station.tissue;
-    const Mat3 along = direction_ * direction_.transpose();
-    spring.stiffness = trial.across * (Mat3::Identity() - along) + trial.along * along;
+    const Mat3 lengthwise = direction_ * direction_.transpose(), crosswise = Mat3::Identity() - lengthwise;
+    spring.stiffness = station.outward == 0 ? Mat3(trial.across * crosswise + trial.along * lengthwise)
+                                            : Mat3(trial.across * lengthwise);
     spring.force = spring.stiffness * (station.start.slip + station.drift);
     springs->push_back(spring);
   }
@@ -205,7 +229,7 @@ void CuttingEdge::accept(const StepSpan& span, const Motion& end, const Wrench& 
     station = stations_[i].start;
     if (stations_[i].tissue.count == 0) continue;
     const Trial trial = tryAt(stations_[i], span.time_step, end.v);
-    const Vec3 along = trial.slip.dot(direction_) * direction_, across = trial.slip - along;
+    const Vec3 across = cutting(stations_[i], trial.slip), along = trial.slip - across;
     station.slip = (trial.across * across + trial.along * along) / stations_[i].stiffest;
     if (trial.yields && trial.across > 0) station.forward = across.normalized();
     if (trial.across > 0) continue;

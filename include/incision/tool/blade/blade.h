@@ -14,10 +14,10 @@ namespace incision {
 /// push.
 class Blade : public Tool {
  public:
-  /// `edge` in the frame of its link. `touching` are the shapes of its link, where they touch. `materials` and `mesh`
-  /// must outlive this.
-  Blade(const ToolSettings& settings, const Edge& edge, const Materials& materials, const CutMesh& mesh,
-        std::unique_ptr<ToolContact> touching);
+  /// `edge` in the frame of its link, `fronts` as tipFronts has them. `touching` are the shapes of its link, where they
+  /// touch. `materials` and `mesh` must outlive this.
+  Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts, const Materials& materials,
+        const CutMesh& mesh, std::unique_ptr<ToolContact> touching);
 
   const Edge* edge() const override { return &edge_; }
 
