@@ -75,7 +75,7 @@ inline std::ostream& operator<<(std::ostream& out, const StraightPass& pass) {
              << ", friction " << pass.friction << ", cutting force " << pass.cutting_force << ", slant " << pass.slant;
 }
 
-/// A pass that is made step by step, until the blade has left the body.
+/// A pass that is made step by step, until the blade has left the body, or has parted it from what is not held.
 class PassUnderWay {
  public:
   explicit PassUnderWay(const StraightPass& pass)
@@ -171,6 +171,8 @@ class PassUnderWay {
   void advance() {
     const std::size_t before = body_->mesh().parts().size();
     over_ = !body_->step().cuts.empty();
+    // What is loose then goes with the blade or flies off, and may come on its edge again.
+    if (pass_.held == StraightPass::Held::ONE_SIDE && body_->counts().pieces > 1) over_ = true;
     const CutMesh& mesh = body_->mesh();
     for (std::size_t p = before; p < mesh.parts().size(); ++p) {
       const Polytope& polytope = mesh.polytope(static_cast<int>(p));

@@ -109,58 +109,57 @@ void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
 
 Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
                         Ties* ties) {
-  return sweep(to, x, materials, door, ties, [](const Part&) { return true; });
+  const CutMesh& mesh = door->mesh();
+  for (int c = static_cast<int>(memory_.last_x.size()); c < mesh.numCopies(); ++c)
+    memory_.last_x.push_back(memory_.last_x[mesh.copyParent(c)]);
+  if (!record(to, x, mesh)) return {};
+  memory_.from = to;
+  memory_.last_x = x;
+  if (passed_.empty()) return {};
+  keepTriangles(mesh);
+  ties->sweep(just_swept_, memory_.crack);
+  findHeadings(mesh);
+  if (crossesItself(to, x, mesh)) {
+    memory_.crack = -1;
+    memory_.distances.clear();
+    memory_.ways.clear();
+    findHeadings(mesh);
+  }
+  measure(to, x, mesh);
+  if (!memory_.begun) return {};  // it is only near
+  return cut(materials, door, ties);
 }
 
-/// Cuts no more than what hangs together with the crack by a node.
+/// The crack keeps the distances that it has.
 Insertion Stroke::leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
                         Ties* ties) {
   const double moved = std::max(way[0].norm(), way[1].norm());
   if (memory_.crack < 0 || !(moved > 0)) return {};
+  const CutMesh& mesh = door->mesh();
+  memory_.last_x = x;
   const double beyond = LEAVING * materials.meanSize() / moved;
   const Edge to = {memory_.from[0] + beyond * way[0], memory_.from[1] + beyond * way[1]};
-  return sweep(to, x, materials, door, ties, [&](const Part& part) {
-    return std::any_of(part.copies.begin(), part.copies.end(), [&](int c) {
-      const auto known = memory_.distances.find(c);
-      return known != memory_.distances.end() && known->second.settled;
-    });
-  });
+  if (!record(to, x, mesh) || passed_.empty()) return {};
+  keepTriangles(mesh);
+  ties->sweep(just_swept_, memory_.crack);
+  return cut(materials, door, ties);
 }
 
-/// `allowed(part)` tells which parts it may cut.
-template <typename Allowed>
-Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
-                        Ties* ties, const Allowed& allowed) {
-  const CutMesh* mesh = &door->mesh();
-  for (int c = static_cast<int>(memory_.last_x.size()); c < mesh->numCopies(); ++c)
-    memory_.last_x.push_back(memory_.last_x[mesh->copyParent(c)]);
-  if (!record(to, x, *mesh)) return {};
-  memory_.from = to;
-  memory_.last_x = x;
-  if (passed_.empty()) return {};
-  keepTriangles(*mesh);
-  ties->sweep(just_swept_, memory_.crack);
-  findHeadings(*mesh);
-  if (crossesItself(to, x, *mesh)) {
-    memory_.crack = -1;
-    memory_.distances.clear();
-    memory_.ways.clear();
-    findHeadings(*mesh);
-  }
-  measure(to, x, *mesh);
-  if (!memory_.begun) return {};  // it is only near
-  CrackField crack = field(*mesh);
+/// Cuts what the crack meets and the sweep so far covers.
+Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
+  const CutMesh& mesh = door->mesh();
+  CrackField crack = field(mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
-    return allowed(mesh->parts()[part]) && covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
-           (liesInFace(polygon) || !runsInSlit(*mesh, materials, part, polygon, memory_.crack));
+    return covers(mesh.parts()[part], polygon, crack.phi, ties->progressive()) &&
+           (liesInFace(polygon) || !runsInSlit(mesh, materials, part, polygon, memory_.crack));
   };
-  const int before = mesh->numCopies();
+  const int before = mesh.numCopies();
   const Insertion done = door->insert(crack);
   if (!done.changed()) return done;
   memory_.cracks += memory_.crack < 0;
   memory_.crack = done.crack;
-  settle(done, before, *mesh);
-  ties->add(done, *mesh, memory_.swept);
+  settle(done, before, mesh);
+  ties->add(done, mesh, memory_.swept);
   return done;
 }
 

@@ -71,9 +71,7 @@ class Stroke {
     Vec3 normal = Vec3::Zero();          // of the sweep there, as long as the edge moved [m]
   };
 
-  template <typename Allowed>
-  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties,
-                  const Allowed& allowed);
+  Insertion cut(const Materials& materials, MeshDoor* door, Ties* ties);
   bool record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
   void keepTriangles(const CutMesh& mesh);
   void findHeadings(const CutMesh& mesh);
