@@ -9,7 +9,7 @@ namespace incision {
 namespace {
 
 /// Triangles of the sweep kept for one element; the oldest go first. An element is cut by the first of the sweeps that
-/// enter it; these tell what the last half element of the way was.
+/// enter it; these tell what the last element of the way was.
 constexpr std::size_t MAX_TRIANGLES = 128;
 
 /// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
@@ -31,7 +31,7 @@ constexpr double MIN_SWEEP = 1e-9;
 
 /// The way, in edges of the mesh, over which a crack takes its direction. Over less, tissue that moves while a slow
 /// blade goes on would turn it; over more, it would not follow a curve.
-constexpr double SMOOTHING = 0.5;
+constexpr double SMOOTHING = 1;
 
 /// A sweep is another crack's where it would give a node of this one a distance that is off by this much, in edges of
 /// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
@@ -226,7 +226,7 @@ void Stroke::keepTriangles(const CutMesh& mesh) {
   for (const Passed& passed : beside_) keep(passed);
 }
 
-/// The crack's normal at the copies passed, from the sweeps round them over the last half edge. Normals add up as
+/// The crack's normal at the copies passed, from the sweeps round them over the last edge. Normals add up as
 /// vectors, turned alike: of an edge that trembles, what goes sideways cancels, and an edge that goes back keeps to its
 /// crack.
 void Stroke::findHeadings(const CutMesh& mesh) {

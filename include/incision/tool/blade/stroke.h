@@ -12,7 +12,7 @@ namespace incision {
 /// A crack that grows as a blade's edge sweeps through the body. What the edge sweeps is reckoned in the material: from
 /// the line of the tissue at which it stood last, wherever that has moved to, to the line at which it stands now. So a
 /// blade that stands still in moving tissue cuts too. The crack keeps its distances at the copies of parts it has
-/// split, and takes its direction from the way of the last half element: the cut face is smooth however slow or fast
+/// split, and takes its direction from the way of the last element: the cut face is smooth however slow or fast
 /// the blade moves. It keeps its whole sweep so far, carried along in the elements' own coordinates.
 ///
 /// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
