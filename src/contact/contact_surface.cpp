@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "incision/base/lists.h"
-
 namespace incision {
 namespace {
 
@@ -131,6 +129,10 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   for (const auto& triangle : surface.triangles) made.piece.push_back(made.vertex_piece[triangle[0]]);
   Builder(&made).run(mesh, materials);
   made.unshared = unsharedWeights(made);
+  made.cut_triangles.sort(static_cast<int>(mesh.parts().size()), [&](const auto& add) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      if (surface.cut_face[t]) add(surface.part[t], static_cast<int>(t));
+  });
   for (double size : made.size) made.mean_size += size / static_cast<double>(made.size.size());
   return made;
 }

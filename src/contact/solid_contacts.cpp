@@ -19,6 +19,12 @@ constexpr double LEAST_UNSHARED = 0.1;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
+/// Twice the area vector of a triangle of the surface [m²].
+Vec3 areaOf(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle) {
+  const auto& [a, b, c] = surface.surface->triangles[triangle];
+  return (x[b] - x[a]).cross(x[c] - x[a]);
+}
+
 /// A solid through the step.
 struct MovingShape {
   const Solid* solid;
@@ -43,21 +49,38 @@ MovingShape placeShape(const Obstacle& obstacle, const SolidsInStep& solids, con
   return placed;
 }
 
-/// The unit normal of the surface at a vertex, to which each of its sides gives alike; none where they look against
-/// each other.
-std::optional<Vec3> normalAt(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex) {
-  const int first = surface.sample_start[vertex], last = surface.sample_start[vertex + 1];
+/// The unit normal of the faces that cuts have made at a vertex, to which each of its sides gives alike: zero where it
+/// has none, none where they look against each other.
+std::optional<Vec3> cutNormalAt(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex) {
   Vec3 sum = Vec3::Zero();
-  for (int s = first; s < last; ++s) {
+  int sides = 0;
+  for (int s = surface.sample_start[vertex]; s < surface.sample_start[vertex + 1]; ++s) {
+    const ContactSurface::Sample& sample = surface.samples[s];
+    if (!surface.surface->cut_face[surface.around[sample.first]]) continue;
     Vec3 area = Vec3::Zero();
-    for (int k = surface.samples[s].first; k < surface.samples[s].last; ++k) {
-      const auto& [a, b, c] = surface.surface->triangles[surface.around[k]];
-      area += (x[b] - x[a]).cross(x[c] - x[a]);
-    }
+    for (int k = sample.first; k < sample.last; ++k) area += areaOf(surface, x, surface.around[k]);
     sum += area.stableNormalized();
+    ++sides;
   }
-  if (!(sum.norm() > LEAST_SIDE * (last - first))) return std::nullopt;
-  return sum.normalized();
+  if (sides > 0 && !(sum.norm() > LEAST_SIDE * sides)) return std::nullopt;
+  return sum.stableNormalized();
+}
+
+/// The unit normal of the cut face nearest to a vertex of the skin, of those that a part of the vertex has, that run
+/// along a surface with normal `along` and in whose plane the vertex lies within `reach` [m]; zero where there is none.
+Vec3 cutNormalBeside(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex, const Vec3& along,
+                     double reach) {
+  Vec3 normal = Vec3::Zero();
+  for (int s = surface.sample_start[vertex]; s < surface.sample_start[vertex + 1]; ++s)
+    for (int k = surface.samples[s].first; k < surface.samples[s].last; ++k)
+      for (const int t : surface.cut_triangles[surface.surface->part[surface.around[k]]]) {
+        const Vec3 n = areaOf(surface, x, t).stableNormalized();
+        const double away = std::abs(n.dot(x[vertex] - x[surface.surface->triangles[t][0]]));
+        if (std::abs(n.dot(along)) < LEAST_OPPOSITION || away > reach) continue;
+        reach = away;
+        normal = n;
+      }
+  return normal;
 }
 
 /// From the nearest point, but on the side on which the point was, if it was; also where it has come out on the far side
@@ -76,28 +99,42 @@ bool givesWay(const MovingShape& shape, const Vec3& foot) {
   return (at - nearestOn(*shape.edge, at)).norm() <= (1 + ROUNDING) * shape.solid->thickness();
 }
 
+/// The outward normal of the material of a vertex that lies in a shape which may stand in a slit, or beside it by no
+/// more than `aside` [m], in the shape's frame: the vertex is to go the other way. The side tells it on which the
+/// vertex was, if it was; else the faces that cuts have made there, or beside it in the same elements; where none runs
+/// along the shape, an edge that cuts, as it parts what it passes. Zero where nothing tells; none where a vertex has no
+/// side to go to, as at the slit's end.
+std::optional<Vec3> materialAt(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
+                               const MovingShape& shape, const Vec3& point, const SolidDistance& nearest, double aside,
+                               const Vec3* known_side) {
+  if (known_side) return -*known_side;
+  const Vec3 along = shape.from.linear() * nearest.normal;
+  std::optional<Vec3> cut = cutNormalAt(surface, x, vertex);
+  if (!cut) return std::nullopt;
+  if (cut->isZero(0)) cut = cutNormalBeside(surface, x, vertex, along, shape.solid->thickness() + aside);
+  if (std::abs(cut->dot(along)) >= LEAST_OPPOSITION) return Vec3(shape.from.linear().transpose() * *cut);
+  if (!shape.edge) return Vec3(Vec3::Zero());
+  const Vec3 at = shape.in_link * point;
+  const Vec3 from_edge = shape.in_link.linear().transpose() * (at - nearestOn(*shape.edge, at));
+  return nearest.normal.dot(from_edge) < 0 ? nearest.normal : Vec3(-nearest.normal);
+}
+
 /// What keeps a vertex off a shape that may stand in a slit, in the shape's frame, where the vertex is at `point`: the
-/// nearest point, unless that is on the far side of its material. The far side is told by the side on which the vertex
-/// was, if it was, else by the surface's normal. A slit need not run just in the middle of the blade that cuts it, so
-/// that counts also a little beside the shape; but what would have to cross more than the blade is no face of the slit.
-/// Nothing does where a vertex has no side to go to, as at the slit's end.
+/// nearest point, unless that is on the far side of its material. A slit need not run just in the middle of the blade
+/// that cuts it, so that counts also a little beside the shape; but what would have to cross more than the blade is no
+/// face of the slit.
 std::optional<SolidDistance> keepOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
                                      const MovingShape& shape, const Vec3& point, const Vec3* known_side) {
   const SolidDistance nearest = shape.solid->distanceTo(point);
   const double aside = DEEPEST_BEGIN * surface.size[vertex], width = shape.solid->thickness();
   if (nearest.distance > aside) return nearest;
   if (surface.unshared[vertex] < LEAST_UNSHARED) return std::nullopt;
-  Vec3 n;
-  if (known_side) {
-    n = -*known_side;
-  } else if (const std::optional<Vec3> now = normalAt(surface, x, vertex)) {
-    n = shape.from.linear().transpose() * *now;
-  } else {
-    return std::nullopt;
-  }
-  const double facing = -nearest.normal.dot(n);
+  const std::optional<Vec3> n = materialAt(surface, x, vertex, shape, point, nearest, aside, known_side);
+  if (!n) return std::nullopt;
+  if (n->isZero(0)) return nearest;
+  const double facing = -nearest.normal.dot(*n);
   if (facing > (known_side ? 0 : LEAST_OPPOSITION)) return nearest;
-  const SolidDistance across = shape.solid->distanceAgainst(point, n);
+  const SolidDistance across = shape.solid->distanceAgainst(point, *n);
   if (nearest.distance < 0) return known_side || across.distance > -width - aside ? across : nearest;
   const double off = shape.solid->distanceTo(point - across.distance * across.normal).distance;
   return facing < -LEAST_OPPOSITION && off < ROUNDING * width ? across : nearest;
@@ -122,6 +159,7 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
   candidate.slip.setZero();
   candidate.size = size;
   candidate.stiffness = OBSTACLE_STIFFNESS * surface.young_modulus[vertex] * surface.area[vertex] / size;
+  if (shape.in_slits) candidate.stiffness *= surface.unshared[vertex] * surface.unshared[vertex];
   addVertex(surface.surface->vertices[vertex], 1, &candidate.point);
   return candidate;
 }

@@ -81,8 +81,9 @@ TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs) {
 std::string loadDescription(const Scene& scene) {
   if (!scene.tool) return "";
   const ToolSettings& tool = *scene.tool;
-  const bool may_touch = scene.contact && !tool.description.empty() && !tool.link.empty();
-  return !tool.edge || may_touch ? readText(tool.description) : "";
+  const bool has_shapes = !tool.description.empty() && !tool.link.empty();
+  const bool needs_shapes = scene.contact || tool.cutting_force > 0;
+  return !tool.edge || (has_shapes && needs_shapes) ? readText(tool.description) : "";
 }
 
 std::string loadObstacleDescription(const Scene& scene) {

@@ -21,8 +21,8 @@ std::unique_ptr<Tool> makeTool(const ToolSettings& settings, const std::string& 
   Description description{settings.description, {}};
   if (!urdf.empty()) description = parseDescription(urdf, settings.description);
   const Edge edge = bladeEdge(settings, description);
-  return std::make_unique<Blade>(settings, edge, surroundings.materials, surroundings.mesh,
-                                 touchingShapes(settings, description, edge, surroundings.skin));
+  return std::make_unique<Blade>(settings, edge, tipFronts(edge, settings, description), surroundings.materials,
+                                 surroundings.mesh, touchingShapes(settings, description, edge, surroundings.skin));
 }
 
 }  // namespace incision

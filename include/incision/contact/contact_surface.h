@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/fem/materials.h"
 #include "incision/solver/spring.h"
 #include "incision/surface/surface.h"
@@ -32,7 +33,8 @@ struct ContactSurface {
   /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place has: what is
   /// left to open of a slit near its end. 1 where there is no other.
   std::vector<double> unshared;
-  double mean_size = 0;  ///< of the vertices [m]
+  Lists<int> cut_triangles;  ///< of each part: those that cuts have made
+  double mean_size = 0;      ///< of the vertices [m]
 };
 
 /// `surface` must outlive the result; `piece` of each copy.

@@ -48,8 +48,8 @@ struct Descriptions {
   std::string tool, obstacles;
 };
 
-/// Text of the tool's description where the scene's tool needs one to know its edge or what of it touches, else
-/// empty.
+/// Text of the tool's description where the scene's tool needs one to know its edge, how thick its tips are or what of
+/// it touches, else empty.
 std::string loadDescription(const Scene& scene);
 
 /// Text of the obstacles' description where the scene names one, else empty.

@@ -23,13 +23,13 @@ const std::vector<Vec3>& positionsBefore(double rest, const Motion& motion, std:
 
 }  // namespace
 
-Blade::Blade(const ToolSettings& settings, const Edge& edge, const Materials& materials, const CutMesh& mesh,
-             std::unique_ptr<ToolContact> touching)
+Blade::Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
+             const Materials& materials, const CutMesh& mesh, std::unique_ptr<ToolContact> touching)
     : Tool(settings, std::move(touching)),
       edge_(edge),
       materials_(materials),
       ties_(materials, settings.progressive),
-      cutting_(settings, edge, &in_step_, ties_, stroke_, materials, mesh) {}
+      cutting_(settings, edge, fronts, &in_step_, ties_, stroke_, materials, mesh) {}
 
 std::vector<Coupler*> Blade::couplers() {
   std::vector<Coupler*> list = Tool::couplers();
@@ -50,7 +50,7 @@ void Blade::start(const Pose& pose, const std::vector<Vec3>& x) { stroke_.start(
 std::optional<CutResult> Blade::act(const Pose& first, const std::vector<Pose>& way, double time_step,
                                     const Motion& motion, MeshDoor* door) {
   if (way.empty()) sweep(placed(edge_, first), motion.x, door);
-  Pose last = first;
+  Pose last = first, before = first;
   double done = 0;
   for (const Pose& pose : way) {
     const int sweeps = 1 + static_cast<int>(last.orientation.angularDistance(pose.orientation) / MAX_SWEEP_TURN);
@@ -59,19 +59,27 @@ std::optional<CutResult> Blade::act(const Pose& first, const std::vector<Pose>& 
       sweep(placed(edge_, between(last, pose, end)), positionsBefore((1 - share) * time_step, motion, &x_within_),
             door);
     }
-    last = pose;
+    before = std::exchange(last, pose);
     ++done;
   }
-  if (!stroke_.begun() || touches(placed(edge_, last), motion.x, door->mesh())) return std::nullopt;
+  const Edge from = placed(edge_, before), to = placed(edge_, last);
+  if (!stroke_.begun() || touches(to, motion.x, door->mesh())) return std::nullopt;
+  record([&] { return stroke_.leave({to[0] - from[0], to[1] - from[1]}, motion.x, materials_, door, &ties_); });
   return interrupt();
 }
 
 /// Cuts what the edge sweeps on its way to where it stands now, while the copies stand at `x`.
 void Blade::sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door) {
+  record([&] { return stroke_.sweep(to, x, materials_, door, &ties_); });
+}
+
+/// Keeps for the report what a cut of the stroke has done.
+template <typename Cut>
+void Blade::record(const Cut& cut) {
   const auto start = Clock::now();
   CutResult& result = strokes_.under_way;
   try {
-    const Insertion done = stroke_.sweep(to, x, materials_, door, &ties_);
+    const Insertion done = cut();
     if (done.changed()) {
       result.status = CutStatus::APPLIED;
       result.cracks = stroke_.cracks();

@@ -47,8 +47,9 @@ Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vecto
 
 }  // namespace
 
-CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties,
-                         const Stroke& stroke, const Materials& materials, const CutMesh& mesh)
+CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
+                         ToolInStep* tool, const Ties& ties, const Stroke& stroke, const Materials& materials,
+                         const CutMesh& mesh)
     : cutting_force_(settings.cutting_force),
       friction_(settings.friction),
       edge_(edge),
@@ -58,8 +59,9 @@ CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInS
       materials_(materials),
       size_(materials.meanSize()),
       skin_(mesh.mesh(), mesh.topology()),
-      share_((edge[1] - edge[0]).norm() / stationCount(edge, size_)) {
-  memory_.resize(static_cast<std::size_t>(stationCount(edge, size_)));
+      share_((edge[1] - edge[0]).norm() / stationCount(edge, size_)),
+      fronts_(fronts) {
+  memory_.resize(static_cast<std::size_t>(stationCount(edge, size_)) + 2);
 }
 
 void CuttingEdge::leave() {
@@ -77,12 +79,21 @@ bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
   direction_ = (to[1] - to[0]).normalized();
   findNear(from, start);
   stations_.resize(memory_.size());
+  const std::size_t evenly = stations_.size() - 2;
   bool resists = false;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
-    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(stations_.size());
+    double at = (static_cast<double>(i) + 0.5) / static_cast<double>(evenly);
+    stations_[i] = Station();
+    stations_[i].start = memory_[i];
+    stations_[i].front = share_;
+    if (i >= evenly) {
+      at = static_cast<double>(i - evenly);
+      stations_[i].front = fronts_[i - evenly];
+      stations_[i].outward = i == evenly ? -1 : 1;
+    }
     const Vec3 point = atStation(from, at);
-    stations_[i] = {memory_[i], Spring(), atStation(to, at) - point};
-    beginStation(point, start, &stations_[i]);
+    stations_[i].drift = atStation(to, at) - point;
+    if (stations_[i].front > 0) beginStation(point, start, &stations_[i]);
     const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0);
     resists = resists || stations_[i].tissue.count > 0 || forgets;
   }
@@ -112,8 +123,10 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   if (here) depth_ = std::max(depth_, here->depth);
   in_tissue_ = in_tissue_ || here;
   const bool has_cut = !station->start.forward.isZero(0);
-  const Vec3 way = rejected(station->start.slip + station->drift, direction_);
-  const Vec3 forward = has_cut ? station->start.forward : way.stableNormalized();
+  Vec3 forward = station->outward * direction_;
+  if (station->outward == 0)
+    forward = has_cut ? station->start.forward
+                      : rejected(station->start.slip + station->drift, direction_).stableNormalized();
   std::optional<Found> ahead;
   if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, swept, start.mesh);
   if (!ahead && !here) {
@@ -122,7 +135,7 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   }
   const Found& found = ahead ? *ahead : *here;
   station->tissue = found.tissue;
-  station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * share_;
+  station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * station->front;
 }
 
 /// Whether the point of a part lies in a cut along which the edge goes.
@@ -163,18 +176,23 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
   return std::nullopt;
 }
 
+/// What of a station's slip cuts: that across the edge; of a tip, which pushes outward alone, that along it.
+Vec3 CuttingEdge::cutting(const Station& station, const Vec3& slip) const {
+  return station.outward == 0 ? rejected(slip, direction_) : Vec3(slip.dot(direction_) * direction_);
+}
+
 CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, const Vec3& moved) const {
   const Vec3 slip = station.start.slip + station.drift - moved;
   Trial trial;
-  trial.along = slip.dot(direction_) * direction_;
-  trial.across = slip - trial.along;
-  trial.across_stiffness = trial.along_stiffness = station.stiffest;
-  const double most = cutting_force_ * share_, across = trial.across.norm(), along = trial.along.norm();
-  trial.yields = station.stiffest * across > most;
-  if (trial.yields) trial.across_stiffness = most / across;
-  if (station.is_free) trial.across_stiffness = 0;
-  trial.slides = station.stiffest * along > station.most_along;
-  if (trial.slides) trial.along_stiffness = station.most_along / along;
+  trial.cuts = cutting(station, slip);
+  trial.beside = slip - trial.cuts;
+  trial.cuts_stiffness = trial.beside_stiffness = station.stiffest;
+  const double most = cutting_force_ * station.front, cuts = trial.cuts.norm(), beside = trial.beside.norm();
+  trial.yields = station.stiffest * cuts > most;
+  if (trial.yields) trial.cuts_stiffness = most / cuts;
+  if (station.is_free) trial.cuts_stiffness = 0;
+  trial.slides = station.stiffest * beside > station.most_along;
+  if (trial.slides) trial.beside_stiffness = station.most_along / beside;
   return trial;
 }
 
@@ -185,23 +203,28 @@ void CuttingEdge::takeBounds(Span<const Vec3> moved) {
     if (station.tissue.count == 0) continue;
     station.is_free = false;
     const Trial trial = tryAt(station, moved[i++]);
-    station.is_free = trial.across.dot(station.start.forward) < 0;
-    station.most_along = station.is_free ? 0 : friction_ * trial.across_stiffness * trial.across.norm();
+    const Vec3 forward = station.outward == 0 ? station.start.forward : Vec3(station.outward * direction_);
+    station.is_free = trial.cuts.dot(forward) < 0;
+    // The stations of the edge take what is across a tip.
+    const bool drags = !station.is_free && station.outward == 0;
+    station.most_along = drags ? friction_ * trial.cuts_stiffness * trial.cuts.norm() : 0;
   }
 }
 
-/// The force across descends from ½ k a² that goes on evenly from the cutting force on, and so does that along from its
-/// bound on.
+/// The force of what cuts descends from ½ k a² that goes on evenly from the cutting force on, and so does the friction
+/// beside it from its bound on.
 void CuttingEdge::update(Span<const Vec3> moved, Span<Spring> springs) {
   int i = 0;
   for (const Station& station : stations_) {
     if (station.tissue.count == 0) continue;
     const Trial trial = tryAt(station, moved[i]);
-    const Mat3 along = direction_ * direction_.transpose();
-    Mat3 across = Mat3::Identity() - along;
-    if (trial.yields) across -= trial.across * trial.across.transpose() / trial.across.squaredNorm();
-    const Mat3 stiffness = trial.across_stiffness * across + (trial.slides ? 0 : trial.along_stiffness) * along;
-    springs[i].set(stiffness, trial.across_stiffness * trial.across + trial.along_stiffness * trial.along, moved[i]);
+    const Mat3 lengthwise = direction_ * direction_.transpose(), crosswise = Mat3::Identity() - lengthwise;
+    Mat3 cuts = station.outward == 0 ? crosswise : lengthwise;
+    Mat3 beside = station.outward == 0 ? lengthwise : crosswise;
+    if (trial.yields) cuts -= trial.cuts * trial.cuts.transpose() / trial.cuts.squaredNorm();
+    if (trial.slides) beside -= trial.beside * trial.beside.transpose() / trial.beside.squaredNorm();
+    springs[i].set(trial.cuts_stiffness * cuts + trial.beside_stiffness * beside,
+                   trial.cuts_stiffness * trial.cuts + trial.beside_stiffness * trial.beside, moved[i]);
     ++i;
   }
 }
@@ -215,11 +238,11 @@ void CuttingEdge::accept(const StepSpan& span, Span<const Vec3> moved, const Mot
     if (stations_[i].tissue.count == 0) continue;
     const Trial trial = tryAt(stations_[i], moved[next++]);
     station.slip =
-        (trial.across_stiffness * trial.across + trial.along_stiffness * trial.along) / stations_[i].stiffest;
-    if (trial.yields && !stations_[i].is_free) station.forward = trial.across.normalized();
+        (trial.cuts_stiffness * trial.cuts + trial.beside_stiffness * trial.beside) / stations_[i].stiffest;
+    if (trial.yields && !stations_[i].is_free) station.forward = trial.cuts.normalized();
     if (!stations_[i].is_free) continue;
-    station.slip = trial.across;
-    if (trial.across.norm() >= TURNED * size_) station = StationMemory();
+    station.slip = trial.cuts;
+    if (trial.cuts.norm() >= TURNED * size_) station = StationMemory();
   }
 }
 

@@ -9,7 +9,7 @@ namespace incision {
 namespace {
 
 /// Triangles of the sweep kept for one element; the oldest go first. An element is cut by the first of the sweeps that
-/// enter it; these tell what the last half element of the way was.
+/// enter it; these tell what the last element of the way was.
 constexpr std::size_t MAX_TRIANGLES = 128;
 
 /// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
@@ -31,17 +31,36 @@ constexpr double MIN_SWEEP = 1e-9;
 
 /// The way, in edges of the mesh, over which a crack takes its direction. Over less, tissue that moves while a slow
 /// blade goes on would turn it; over more, it would not follow a curve.
-constexpr double SMOOTHING = 0.5;
+constexpr double SMOOTHING = 1;
 
 /// A sweep is another crack's where it would give a node of this one a distance that is off by this much, in edges of
 /// the mesh, and another normal, by more than this cosine: a path that curves within two elements is off by a quarter.
 constexpr double CROSSING = 0.5, SAME_WAY = 0.5;
 
-/// Whether all points lie beyond one face of the element, by more than `margin`.
-bool outside(const std::array<Barycentric, 4>& points, double margin) {
+/// How far an edge goes on that has come out of the body, in elements: as far as a sweep may be from an element that it
+/// passes.
+constexpr double LEAVING = 0.5;
+
+/// Whether all of a sweep, its corners given in an element's coordinates, lies outside the element by more than
+/// `margin`. A long edge passes by many elements with its ends beyond different faces.
+bool outside(const std::array<Barycentric, 4>& corners, double margin) {
   for (int I = 0; I < 4; ++I)
-    if (std::all_of(points.begin(), points.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
-  return false;
+    if (std::all_of(corners.begin(), corners.end(), [&](const Barycentric& b) { return b[I] < -margin; })) return true;
+  return !reaches({corners[0], corners[1], corners[2]}, margin) &&
+         !reaches({corners[0], corners[2], corners[3]}, margin);
+}
+
+/// Whether a sweep within `reach`, its corners given in an element's coordinates, meets what cracks have left of the
+/// element to a part. The rest of the element follows copies that are nowhere near the material: `was` and `is` tell
+/// where that is before and after.
+bool meetsMaterial(const CutMesh& mesh, int part, const std::array<Barycentric, 4>& corners, const PartFrame& was,
+                   const PartFrame& is, const Eigen::AlignedBox3d& reach) {
+  if (mesh.parts()[part].detail < 0) return true;
+  const Polytope& polytope = mesh.polytope(part);
+  Eigen::AlignedBox3d box;
+  for (const Barycentric& b : polytope.corners) box.extend(was.toBody(b)).extend(is.toBody(b));
+  return reach.intersects(box) && (reaches({corners[0], corners[1], corners[2]}, polytope) ||
+                                   reaches({corners[0], corners[2], corners[3]}, polytope));
 }
 
 /// The point of the line through an edge that is nearest to `point`.
@@ -90,39 +109,61 @@ void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
 
 Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
                         Ties* ties) {
-  const CutMesh* mesh = &door->mesh();
+  const CutMesh& mesh = door->mesh();
   if (memory_.last_x.empty()) {
     memory_.from = start_edge_;
     memory_.last_x = start_x_;
   }
-  for (int c = static_cast<int>(memory_.last_x.size()); c < mesh->numCopies(); ++c)
-    memory_.last_x.push_back(memory_.last_x[mesh->copyParent(c)]);
-  if (!record(to, x, *mesh)) return {};
+  for (int c = static_cast<int>(memory_.last_x.size()); c < mesh.numCopies(); ++c)
+    memory_.last_x.push_back(memory_.last_x[mesh.copyParent(c)]);
+  if (!record(to, x, mesh)) return {};
   memory_.from = to;
   memory_.last_x = x;
   if (passed_.empty()) return {};
-  keepTriangles(*mesh);
+  keepTriangles(mesh);
   ties->sweep(just_swept_, memory_.crack);
-  findHeadings(*mesh);
-  if (crossesItself(to, x, *mesh)) {
+  findHeadings(mesh);
+  if (crossesItself(to, x, mesh)) {
     memory_.crack = -1;
     memory_.distances.clear();
     memory_.ways.clear();
-    findHeadings(*mesh);
+    findHeadings(mesh);
   }
-  measure(to, x, *mesh);
-  CrackField crack = field(*mesh);
+  measure(to, x, mesh);
+  if (!memory_.begun) return {};  // it is only near
+  return cut(materials, door, ties);
+}
+
+/// The crack keeps the distances that it has.
+Insertion Stroke::leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
+                        Ties* ties) {
+  const double moved = std::max(way[0].norm(), way[1].norm());
+  if (memory_.crack < 0 || !(moved > 0)) return {};
+  const CutMesh& mesh = door->mesh();
+  memory_.last_x = x;
+  const double beyond = LEAVING * materials.meanSize() / moved;
+  const Edge to = {memory_.from[0] + beyond * way[0], memory_.from[1] + beyond * way[1]};
+  if (!record(to, x, mesh) || passed_.empty()) return {};
+  keepTriangles(mesh);
+  ties->sweep(just_swept_, memory_.crack);
+  return cut(materials, door, ties);
+}
+
+/// Cuts what the crack meets and the sweep so far covers.
+Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
+  const CutMesh& mesh = door->mesh();
+  CrackField crack = field(mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
-    return covers(mesh->parts()[part], polygon, crack.phi, ties->progressive()) &&
-           (liesInFace(polygon) || !runsInSlit(*mesh, materials, part, polygon, memory_.crack));
+    return covers(mesh.parts()[part], polygon, crack.phi, ties->progressive()) &&
+           (liesInFace(polygon) || !runsInSlit(mesh, materials, part, polygon, memory_.crack));
   };
-  const int before = mesh->numCopies();
+  const int before = mesh.numCopies();
   const Insertion done = door->insert(crack);
   if (!done.changed()) return done;
   memory_.cracks += memory_.crack < 0;
   memory_.crack = done.crack;
-  settle(done, before, *mesh);
-  ties->add(done, *mesh, memory_.swept);
+  settle(done, before, mesh);
+  ties->add(done, mesh, memory_.swept);
   return done;
 }
 
@@ -163,7 +204,7 @@ bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& m
     const Vec3 centre = is.toBody(Barycentric::Constant(0.25));
     passed.normal = direction.cross(nearest(to, centre) - nearest(carried, centre));
     if (!(passed.normal.norm() > least)) continue;
-    passed.within = !outside(passed.corners, 0);
+    passed.within = !outside(passed.corners, 0) && meetsMaterial(mesh, passed.part, passed.corners, was, is, reach);
     passed_.push_back(passed);
   }
   if (near && !moved) return false;
@@ -189,7 +230,7 @@ void Stroke::keepTriangles(const CutMesh& mesh) {
   for (const Passed& passed : beside_) keep(passed);
 }
 
-/// The crack's normal at the copies passed, from the sweeps round them over the last half edge. Normals add up as
+/// The crack's normal at the copies passed, from the sweeps round them over the last edge. Normals add up as
 /// vectors, turned alike: of an edge that trembles, what goes sideways cancels, and an edge that goes back keeps to its
 /// crack.
 void Stroke::findHeadings(const CutMesh& mesh) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/cut/section.h"
+
 namespace incision {
 namespace {
 
@@ -16,6 +18,37 @@ constexpr int POINTS = 96;
 
 /// Of the sequence of Roberts (2018), the two-dimensional golden ratio: frac(k g), frac(k g²) fill the square evenly.
 constexpr double GOLDEN = 0.7548776662466927;
+
+/// What half spaces, one after the other, leave of a triangle.
+class Clipped {
+ public:
+  explicit Clipped(const SweptTriangle& triangle) : count_(triangle.size()) {
+    std::copy(triangle.begin(), triangle.end(), corners_.begin());
+  }
+
+  bool isEmpty() const { return count_ == 0; }
+
+  /// Keeps what lies where `inside`, which is affine, is not negative; all, where that could take too many corners.
+  template <typename Inside>
+  void by(const Inside& inside) {
+    if (count_ == MOST) return;
+    std::array<Barycentric, MOST> left;
+    std::size_t kept = 0;  // one half space adds no more than one corner
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Barycentric &a = corners_[i], &b = corners_[(i + 1) % count_];
+      const double inside_a = inside(a), inside_b = inside(b);
+      if (inside_a >= 0) left[kept++] = a;
+      if ((inside_a < 0) != (inside_b < 0)) left[kept++] = a + inside_a / (inside_a - inside_b) * (b - a);
+    }
+    std::copy(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(kept), corners_.begin());
+    count_ = kept;
+  }
+
+ private:
+  static constexpr std::size_t MOST = 24;
+  std::array<Barycentric, MOST> corners_;
+  std::size_t count_;
+};
 
 double fraction(double value) { return value - std::floor(value); }
 
@@ -51,6 +84,22 @@ bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec
   }
   const double area = side[0] + side[1] + side[2], rim = RIM * std::abs(area), sense = area < 0 ? -1 : 1;
   return area != 0 && std::all_of(side.begin(), side.end(), [&](double s) { return sense * s >= -rim; });
+}
+
+bool reaches(const SweptTriangle& triangle, double margin) {
+  Clipped clipped(triangle);
+  for (int I = 0; I < 4; ++I) clipped.by([&](const Barycentric& b) { return b[I] + margin; });
+  return !clipped.isEmpty();
+}
+
+bool reaches(const SweptTriangle& triangle, const Polytope& polytope) {
+  Clipped clipped(triangle);
+  for (const Facet& facet : polytope.facets) {
+    const Vec3 out = vectorArea(polytope, facet, [](const Barycentric& b) -> Vec3 { return b.tail<3>(); });
+    const Barycentric& base = polytope.corners[facet.corners[0]];
+    clipped.by([&](const Barycentric& b) { return out.dot((base - b).tail<3>()); });
+  }
+  return !clipped.isEmpty();
 }
 
 Vec3 gradient(const Eigen::Vector4d& phi) { return phi.tail<3>() - Vec3::Constant(phi[0]); }

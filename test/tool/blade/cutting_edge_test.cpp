@@ -150,6 +150,66 @@ TEST(CuttingEdge, WithoutACuttingForceItIsFree) {
   EXPECT_NEAR(pushed.report.stroke_area, 0.08 * HEIGHT, 0.03 * 0.08 * HEIGHT);
 }
 
+/// The block, and a box as blade that is pushed into it along its edge, at y = 0.004 m and z = 0.047 m.
+struct Stabbed {
+  static constexpr double THICKNESS = 0.004;  // [m]
+
+  explicit Stabbed(bool with_shape, int cells = 3)
+      : body(scene(with_shape, cells), loadMesh(scene(with_shape, cells)),
+             with_shape ? description() : Descriptions()) {
+    body.placeTool(poseAt(x, Y, 0.047));
+  }
+
+  static Scene scene(bool with_shape, int cells) {
+    Scene scene = blockAndEdge(cells, FORCE_OF_TIP);
+    scene.body.material.stiffness_damping = 0.02;
+    scene.tool->edge = Edge{Vec3(-0.3, 0, 0), Vec3(0, 0, 0)};
+    scene.tool->friction = 0;
+    if (with_shape) scene.tool->description = "blade.urdf";
+    return scene;
+  }
+  static Descriptions description() {
+    return {
+        "<robot name='tool'><link name='blade'><collision><origin xyz='-0.15 0 0.01'/>"
+        "<geometry><box size='0.3 0.004 0.02'/></geometry></collision></link></robot>",
+        ""};
+  }
+
+  Vec3 to(double end) {
+    ToolReport report;
+    while (std::abs(end - x) > 1e-9) {
+      x += std::clamp(end - x, -5e-4, 5e-4);
+      body.guideTool({poseAt(x, Y, 0.047)});
+      report = body.step().tools[0];
+    }
+    return report.force;
+  }
+
+  static constexpr double FORCE_OF_TIP = 500;  // [N/m]
+  DeformableBody body;
+  double x = -0.01;
+};
+
+TEST(CuttingEdge, PushedAlongItselfAdvancesAgainstTheCuttingForceTimesTheThicknessOfItsTip) {
+  for (const int cells : {3, 5}) {
+    Stabbed stabbed(true, cells);
+    EXPECT_EQ(stabbed.to(-0.001), Vec3::Zero());
+    const double force = Stabbed::FORCE_OF_TIP * Stabbed::THICKNESS;
+    for (const double x : {0.05, 0.07, 0.09}) {
+      const Vec3 felt = stabbed.to(x);
+      EXPECT_NEAR(felt.x(), -force, 0.01 * force) << cells << " " << x;
+      EXPECT_LT(felt.tail<2>().norm(), 0.05 * force) << cells << " " << x;
+    }
+    stabbed.to(0.085);  // the tissue has sprung back
+    EXPECT_LT(std::abs(stabbed.to(0.08).x()), 1e-9 * force) << cells;
+  }
+}
+
+TEST(CuttingEdge, PushedAlongItselfWithoutAShapeItIsFree) {
+  Stabbed stabbed(false);
+  EXPECT_LT(stabbed.to(0.07).norm(), 1e-9 * Stabbed::FORCE_OF_TIP * Stabbed::THICKNESS);
+}
+
 TEST(CuttingEdge, BodyAndToolKeepTheirMomentum) {
   Scene scene = blockAndEdge();
   scene.boundary.clear();

@@ -40,10 +40,10 @@ void serialize(Archive& archive, BladeMemory& memory) {
 /// push.
 class Blade : public Tool {
  public:
-  /// `edge` in the frame of its link. `touching` are the shapes of its link, where they touch. `materials` and `mesh`
-  /// must outlive this.
-  Blade(const ToolSettings& settings, const Edge& edge, const Materials& materials, const CutMesh& mesh,
-        std::unique_ptr<ToolContact> touching);
+  /// `edge` in the frame of its link, `fronts` as tipFronts has them. `touching` are the shapes of its link, where they
+  /// touch. `materials` and `mesh` must outlive this.
+  Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts, const Materials& materials,
+        const CutMesh& mesh, std::unique_ptr<ToolContact> touching);
 
   const Edge* edge() const override { return &edge_; }
 
@@ -63,6 +63,8 @@ class Blade : public Tool {
 
  private:
   void sweep(const Edge& to, const std::vector<Vec3>& x, MeshDoor* door);
+  template <typename Cut>
+  void record(const Cut& cut);
 
   Edge edge_;
   const Materials& materials_;

@@ -30,12 +30,15 @@ void serialize(Archive& archive, StationMemory& memory) {
 /// cutting force F_c and the station's share ΔL of the edge: then the blade advances against just this force, so that
 /// cutting an area A takes the work F_c A. Along the edge it is Coulomb friction, by the force across. The tissue is
 /// pushed, never pulled: going back, the edge is free until it comes to where it stood.
+///
+/// Along itself the edge has a front at its ends alone, as long as the blade is thick there: at each of these two more
+/// stations, its tips, the tissue is carried along likewise until the force along the edge reaches F_c times the front.
 class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
  public:
-  /// `edge` in the frame of the tool's link. The tool, the ties, the stroke, the materials and the mesh must outlive
-  /// this.
-  CuttingEdge(const ToolSettings& settings, const Edge& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
-              const Materials& materials, const CutMesh& mesh);
+  /// `edge` in the frame of the tool's link, `fronts` at its two ends [m]. The tool, the ties, the stroke, the
+  /// materials and the mesh must outlive this.
+  CuttingEdge(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts, ToolInStep* tool,
+              const Ties& ties, const Stroke& stroke, const Materials& materials, const CutMesh& mesh);
 
   /// The edge is no longer in the tissue that it was in.
   void leave();
@@ -58,15 +61,17 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
     StationMemory start;
     Spring tissue;                 // the material at the station; count 0: none resists
     Vec3 drift = Vec3::Zero();  // of the edge in the step [m]
+    double front = 0;           // what of the blade cuts there [m]
+    double outward = 0;         // of a tip: along the edge, 1, or against it, −1; 0: it is none
     double stiffest = 0;        // the most stiffness it can have [N/m]
-    double most_along = 0;      // bound on the force along the edge [N]
+    double most_along = 0;      // bound on the friction along the edge [N]
     bool is_free = false;       // the edge goes back, and nothing resists that
   };
   /// A station's state at a trial.
   struct Trial {
-    Vec3 across, along;                      // slip [m]
-    double across_stiffness, along_stiffness;  // force over slip [N/m]
-    bool yields, slides;                     // across, along
+    Vec3 cuts, beside;                          // slip that cuts, and what is at right angles to it [m]
+    double cuts_stiffness, beside_stiffness;    // force over slip [N/m]
+    bool yields, slides;                        // where it cuts, and beside
   };
   /// What is where a point is: the material that resists there, nothing in a slit, the sides of a tied section alike;
   /// and how far below the skin, at rest [m].
@@ -85,6 +90,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
 
   void findNear(const Edge& edge, const StepStart& start);
   void beginStation(const Vec3& point, const StepStart& start, Station* station);
+  Vec3 cutting(const Station& station, const Vec3& slip) const;
   std::optional<Found> findTissue(const Vec3& point, const Swept& swept, const CutMesh& mesh);
   bool isInSlit(const Vec3& point, const Swept& swept, const Near& near, const CutMesh& mesh) const;
   Trial tryAt(const Station& station, const Vec3& moved) const;
@@ -97,9 +103,10 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   const Materials& materials_;
   double size_;  // of the elements, the mean [m]
   SkinDepth skin_;
-  double share_;  // of a station, ΔL [m]
+  double share_;                  // of a station, ΔL [m]
+  std::array<double, 2> fronts_;  // of the tips [m]
   // Of this step:
-  std::vector<Station> stations_;
+  std::vector<Station> stations_;  // the last two are the tips
   std::vector<Near> near_;         // the parts that the edge may be in
   Vec3 direction_ = Vec3::Zero();  // of the edge, unit
   bool in_tissue_ = false;

@@ -13,7 +13,7 @@ namespace incision {
 /// A crack that grows as a blade's edge sweeps through the body. What the edge sweeps is reckoned in the material: from
 /// the line of the tissue at which it stood last, wherever that has moved to, to the line at which it stands now. So a
 /// blade that stands still in moving tissue cuts too. The crack keeps its distances at the copies of parts it has
-/// split, and takes its direction from the way of the last half element: the cut face is smooth however slow or fast
+/// split, and takes its direction from the way of the last element: the cut face is smooth however slow or fast
 /// the blade moves. It keeps its whole sweep so far, carried along in the elements' own coordinates.
 ///
 /// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
@@ -27,6 +27,11 @@ class Stroke {
   /// whose section the sweep so far has entered; without progressive ties those whose section's centroid it covers.
   /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.
   Insertion sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
+
+  /// The edge has come out of the body where it last was, by the motion `way` of its two ends [m], while the copies
+  /// stand at `x` [m]. A crack that is one plane in each element comes through the skin beside the place where the edge
+  /// does, and what of it lies farther on is cut as if the edge had gone on so. The stroke is to end with this.
+  Insertion leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
 
   /// Whether the stroke has met any part of the body.
   bool begun() const { return memory_.begun; }
@@ -68,6 +73,7 @@ class Stroke {
     Vec3 normal = Vec3::Zero();          // of the sweep there, as long as the edge moved [m]
   };
 
+  Insertion cut(const Materials& materials, MeshDoor* door, Ties* ties);
   bool record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
   void keepTriangles(const CutMesh& mesh);
   void findHeadings(const CutMesh& mesh);

@@ -38,6 +38,12 @@ Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x);
 /// that share an edge leave no gap between them, at whatever distance and angle they pass the point.
 bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec3& direction);
 
+/// Whether some of a triangle lies in the element, or outside by no more than `margin` in its own coordinates.
+bool reaches(const SweptTriangle& triangle, double margin);
+
+/// Whether some of a triangle lies in a part of the element.
+bool reaches(const SweptTriangle& triangle, const Polytope& polytope);
+
 /// Gradient of a linear function given at the four nodes, in affine coordinates.
 Vec3 gradient(const Eigen::Vector4d& phi);
 
