@@ -109,7 +109,8 @@ void DeformableBody::State::recallStep(const StepMemory& memory) {
 }
 
 BodyMemory DeformableBody::State::keep() const {
-  BodyMemory memory{steps, unsettled_steps, cuts_done, fractured_steps, mesh.keep(), {}, obstacle_motions.inStep(), keepStep()};
+  BodyMemory memory{steps, unsettled_steps,           cuts_done, fractured_steps, mesh.keep(),
+                    {},    obstacle_motions.inStep(), keepStep()};
   if (growth) memory.growth = growth->memory();
   return memory;
 }

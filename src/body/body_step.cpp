@@ -32,8 +32,8 @@ void DeformableBody::State::fracture() {
 bool DeformableBody::State::advance(const StepSpan& span, double time) {
   const auto beginning = Clock::now();
   const bool coupled =
-      !couplers.areNone() &&
-      couplers.begin({span, mesh, step.pieceOf(), motion, step.begin(span.time_step, motion), step.inertia(), step.pieceMass()});
+      !couplers.areNone() && couplers.begin({span, mesh, step.pieceOf(), motion, step.begin(span.time_step, motion),
+                                             step.inertia(), step.pieceMass()});
   couplers_ms = 1e3 * secondsSince(beginning);
   const bool taken = coupled ? step.advance(time, &motion, &couplers) : advanceFreely(time, span.time_step);
   if (!taken) couplers.stepFailed();

@@ -11,17 +11,21 @@ namespace {
 /// k_t/k: as a half space gives way to a shear, roughly.
 constexpr double TANGENTIAL = 0.5;
 
-/// Δt² k over the mass that resists at the point. A spring beyond that acts as if it were rigid, and only makes the step
-/// hard to settle: with 10 a piece that lies on the ground sinks in by a few hundredths of g Δt². (Castro et al., "An
-/// unconstrained convex formulation of compliant contact", bound it likewise, by 40.)
+/// Δt² k over the mass that resists at the point. A spring beyond that acts as if it were rigid, and only makes the
+/// step hard to settle: with 10 a piece that lies on the ground sinks in by a few hundredths of g Δt². (Castro et al.,
+/// "An unconstrained convex formulation of compliant contact", bound it likewise, by 40.)
 constexpr double STIFFEST = 10;
 
-/// It is more where the point would otherwise go in by more than so many elements, and up to so much: what hits something
-/// fast must neither come out behind it nor overlap by much.
+/// Against obstacles, which do not give way, so many times that as far as the copies resist: what is held and pressed
+/// by one sinks in by less than 0.2 % of what it gives way by itself.
+constexpr double STIFFER_ON_OBSTACLES = 12;
+
+/// It is more where the point would otherwise go in by more elements than that many times IMPACT_DEPTH, up to so much
+/// and however soft the body: what hits something fast must neither come out behind it nor overlap by much.
 constexpr double IMPACT_DEPTH = 0.005, STIFFEST_IMPACT = 1000;
 
-/// What a point that slides resists along its way, as a share of what it does across it. Along it the force is constant,
-/// so that a Newton step would go far beyond where it turns round.
+/// What a point that slides resists along its way, as a share of what it does across it. Along it the force is
+/// constant, so that a Newton step would go far beyond where it turns round.
 constexpr double SLIDING = 0.2;
 
 /// Gaps this small, in elements, are rounding: faces just cut lie in each other's plane.
@@ -105,23 +109,30 @@ void Contact::softenStiffest(const StepStart& start) {
   parallelFor(static_cast<int>(candidates_.size()), skin_->threads(), [&](int i) {
     Candidate& candidate = candidates_[i];
     const Spring& point = candidate.point;
-    double mobility = 0;
+    double of_copies = 0, of_pieces = 0;
     for (int k = 0; k < point.count; ++k) {
       const int copy = point.copies[k], piece = start.piece[copy];
-      mobility += point.weights[k] * point.weights[k] / start.inertia[copy];
+      of_copies += point.weights[k] * point.weights[k] / start.inertia[copy];
       double on_piece = 0;
       for (int l = 0; l < point.count; ++l)
         if (start.piece[point.copies[l]] == piece) on_piece += point.weights[l];
-      mobility += point.weights[k] * on_piece / start.piece_mass[piece];
+      of_pieces += point.weights[k] * on_piece / start.piece_mass[piece];
     }
+    const double bare = candidate.stiffness, mobility = squared_step * (of_copies + of_pieces);
+    candidate.tangential = TANGENTIAL * bare;
+    if (!(mobility > 0)) return;
+    const double on_obstacle = candidate.partner == Candidate::BODY ? 1 : STIFFER_ON_OBSTACLES;
+    candidate.stiffness = std::min(bare, STIFFEST / (squared_step * (of_copies / on_obstacle + of_pieces)));
+    candidate.tangential = TANGENTIAL * std::min(bare, STIFFEST / mobility);
     const double depth = -candidate.gap - candidate.normal.dot(weightedSum(point, start.ahead) - candidate.drift);
-    const double stiffest = std::clamp(depth / (IMPACT_DEPTH * candidate.size), STIFFEST, STIFFEST_IMPACT);
-    if (mobility > 0) candidate.stiffness = std::min(candidate.stiffness, stiffest / (squared_step * mobility));
+    const double impact = std::min(depth / (IMPACT_DEPTH * candidate.size), STIFFEST_IMPACT);
+    if (impact > STIFFEST) candidate.stiffness = std::max(candidate.stiffness, impact / mobility);
   });
 }
 
-/// Takes over what the contacts of the last step have left: no more energy than that. What begins in an obstacle is brought out of it; among
-/// pieces that block each other that would wind up springs, so there a depth only goes as the pieces part.
+/// Takes over what the contacts of the last step have left: no more energy than that. What begins in an obstacle is
+/// brought out of it; among pieces that block each other that would wind up springs, so there a depth only goes as the
+/// pieces part.
 void Contact::continueTouches(const std::vector<Touch>& touches, double time_step) {
   auto touch = touches.begin();
   for (Candidate& candidate : candidates_) {
@@ -132,13 +143,14 @@ void Contact::continueTouches(const std::vector<Touch>& touches, double time_ste
     while (touch != touches.end() && comesBefore(*touch, candidate)) ++touch;
     if (touch == touches.end() || comesBefore(candidate, *touch)) continue;
     const double same_energy = std::sqrt(std::min(1.0, touch->stiffness / candidate.stiffness));
+    const double same_drag = std::sqrt(std::min(1.0, touch->tangential / candidate.tangential));
     const double most = RECOVERY * candidate.size * time_step, worked_off = std::min(most, touch->worked_off);
     const double beyond = same_energy * touch->gap - TOUCHING * candidate.size - candidate.gap;
     const double ignored =
         of_body ? std::max(touch->ignored - most, beyond) : std::max(touch->ignored, beyond) - worked_off;
     candidate.ignored = std::clamp(ignored, 0.0, depth);
     candidate.worked_off = std::min(touch->worked_off - worked_off, candidate.ignored);
-    candidate.slip = same_energy * (touch->slip - candidate.normal.dot(touch->slip) * candidate.normal);
+    candidate.slip = same_drag * (touch->slip - candidate.normal.dot(touch->slip) * candidate.normal);
   }
 }
 
@@ -158,9 +170,8 @@ double Contact::pressureOf(const Candidate& candidate, const Trial& trial) {
 
 /// Friction may be as large as the pressure allows.
 void Contact::takeBounds(Span<const Vec3> moved) {
-  parallelFor(moved.size(), skin_->threads(), [&](int i) {
-    most_[i] = friction_ * pressureOf(candidates_[i], tryAt(candidates_[i], moved[i]));
-  });
+  parallelFor(moved.size(), skin_->threads(),
+              [&](int i) { most_[i] = friction_ * pressureOf(candidates_[i], tryAt(candidates_[i], moved[i])); });
 }
 
 /// The forces descend from ½ k g², where g is negative, and from ½ k_t s², which goes on evenly beyond the bound.
@@ -172,7 +183,7 @@ void Contact::update(Span<const Vec3> moved, Span<Spring> springs) {
     Vec3 force = pressureOf(candidate, trial) * candidate.normal;
     Mat3 stiffness = trial.presses ? Mat3(candidate.stiffness * across) : Mat3::Zero();
     if (most_[i] > 0) {
-      const double k = TANGENTIAL * candidate.stiffness, drag = trial.slip.norm();
+      const double k = candidate.tangential, drag = trial.slip.norm();
       const bool slides = k * drag > most_[i];
       const double secant = slides ? most_[i] / drag : k;
       force -= secant * trial.slip;
@@ -187,7 +198,7 @@ Touch Contact::touchOf(const Candidate& candidate, const Trial& trial, double mo
   const ContactSurface& surface = skin_->surface();
   const bool of_body = candidate.partner == Candidate::BODY;
   const int vertex = of_body ? surface.samples[candidate.sample].vertex : candidate.sample;
-  const double drag = TANGENTIAL * candidate.stiffness * trial.slip.norm();
+  const double drag = candidate.tangential * trial.slip.norm();
   const double sticking = drag > most ? most / drag : 1;
   return {candidate.sample,
           candidate.partner,
@@ -195,6 +206,7 @@ Touch Contact::touchOf(const Candidate& candidate, const Trial& trial, double mo
           candidate.ignored,
           candidate.worked_off,
           candidate.stiffness,
+          candidate.tangential,
           sticking * trial.slip,
           candidate.normal_in_solid,
           surface.surface->vertices[vertex],
@@ -215,7 +227,8 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
     memory_.push_back(touch);
     if (!trial.presses) continue;
     ++report_.count;
-    report_.energy += 0.5 * candidate.stiffness * (trial.gap * trial.gap + TANGENTIAL * touch.slip.squaredNorm());
+    report_.energy +=
+        0.5 * (candidate.stiffness * trial.gap * trial.gap + candidate.tangential * touch.slip.squaredNorm());
     report_.deepest = std::max(report_.deepest, candidate.ignored + TOUCHING * candidate.size - trial.gap);
   }
 }

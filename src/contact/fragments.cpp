@@ -93,7 +93,8 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
     const Pair now = placed(surface, x, pair);
     const auto& [a, b, c] = surface.surface->triangles[now.triangle];
     const int vertex = surface.samples[now.sample].vertex;
-    const Vec3 nearer = ahead[vertex] - now.weights[0] * ahead[a] - now.weights[1] * ahead[b] - now.weights[2] * ahead[c];
+    const Vec3 nearer =
+        ahead[vertex] - now.weights[0] * ahead[a] - now.weights[1] * ahead[b] - now.weights[2] * ahead[c];
     if (now.gap + normals_[now.triangle].dot(nearer) < MARGIN * surface.size[vertex])
       candidates->push_back(candidate(surface, now, twin < 0 ? 0.5 : 1));
   }

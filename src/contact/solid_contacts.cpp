@@ -83,8 +83,8 @@ Vec3 cutNormalBeside(const ContactSurface& surface, const std::vector<Vec3>& x, 
   return normal;
 }
 
-/// From the nearest point, but on the side on which the point was, if it was; also where it has come out on the far side
-/// of something thin.
+/// From the nearest point, but on the side on which the point was, if it was; also where it has come out on the far
+/// side of something thin.
 SolidDistance distanceFrom(const Vec3* known_side, const Solid& solid, const Vec3& point) {
   const SolidDistance nearest = solid.distanceTo(point);
   if (!known_side) return nearest;
@@ -165,8 +165,7 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
 }
 
 bool mayMeet(const ContactSkin& skin, int vertex, const MovingShape& shape) {
-  const double room =
-      shape.reach + shape.moved + MARGIN * skin.surface().size[vertex] + skin.ahead()[vertex].norm();
+  const double room = shape.reach + shape.moved + MARGIN * skin.surface().size[vertex] + skin.ahead()[vertex].norm();
   return (skin.x()[vertex] - shape.from.translation()).squaredNorm() <= room * room && skin.surface().area[vertex] > 0;
 }
 

@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds HEARTBEAT(100);
 /// with unknown frames can delay the body by no more.
 constexpr double MAX_DELAY = 0.5;
 
-/// Least time [s] between two warnings of obstacles that jump.
+/// Least time [s] between two warnings of one kind.
 constexpr double WARNING_PERIOD = 2;
 
 std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
@@ -152,6 +152,8 @@ bool IncisionNode::tryStep() {
     moveObstacles(time);
     last_step_ = body_.step();
     for (ToolDriver& tool : tools_) tool.publishWrench(last_step_);
+    if (!last_step_.settled)
+      ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, body_.unsettledSteps() << " steps so far whose contacts did not settle");
     error_.clear();
     return true;
   } catch (const std::exception& error) {

@@ -18,6 +18,9 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 /// stiffness beyond float, rarely goes away at once.
 constexpr int FALLBACK_STEPS = 20;
 
+/// Relative residual that a direct solver leaves at best.
+constexpr double ATTAINABLE = 1e-14;
+
 bool allFinite(const std::vector<Vec3>& values) {
   return std::all_of(values.begin(), values.end(), [](const Vec3& v) { return v.allFinite(); });
 }
@@ -93,7 +96,8 @@ void ImplicitStep::makeFallback() {
 
 SystemFactors ImplicitStep::factors() const {
   const Materials& materials = assembly_.materials();
-  return {1 + time_step_ * materials.massDamping(), time_step_ * materials.stiffnessDamping() + time_step_ * time_step_};
+  return {1 + time_step_ * materials.massDamping(),
+          time_step_ * materials.stiffnessDamping() + time_step_ * time_step_};
 }
 
 const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& motion) {
@@ -206,8 +210,9 @@ bool ImplicitStep::solve(double time, const Motion& motion, Couplers* couplers) 
   dv_.resize(ahead_.size());
   for (std::size_t c = 0; c < dv_.size(); ++c)
     if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
-  return newton_.solve({this, couplers, time_step_, settings_.tolerance, ahead_, external_, rounding_, memory_.basis,
-                        piece_, held_, memory_.group, rigid_, base_.x},
+  const double tolerance = settings_.method == Method::DIRECT ? ATTAINABLE : settings_.tolerance;
+  return newton_.solve({this, couplers, time_step_, tolerance, ahead_, external_, rounding_, memory_.basis, piece_,
+                        held_, memory_.group, rigid_, base_.x},
                        &norms_, &dv_);
 }
 
@@ -309,9 +314,7 @@ void ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
   rotate(base_.x);
 }
 
-bool ImplicitStep::isDirect() const {
-  return memory_.fallback_steps > 0 || settings_.method == Method::DIRECT;
-}
+bool ImplicitStep::isDirect() const { return memory_.fallback_steps > 0 || settings_.method == Method::DIRECT; }
 
 bool ImplicitStep::fallBack(const std::vector<Spring>& springs) {
   if (isDirect()) return false;

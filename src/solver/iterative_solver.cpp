@@ -200,7 +200,8 @@ int IterativeSolver::iterate(const std::vector<double>& limit, double unit) {
     groups_[piece_sets_.lowest(static_cast<int>(s))].least += MIN_GAIN * MIN_GAIN * piece_sum_[s];
   aims_.resize(limit.size());
   for (std::size_t s = 0; s < limit.size(); ++s)
-    aims_[s] = std::max(MARGIN * MARGIN * limit[s] / (unit * unit), groups_[piece_sets_.lowest(static_cast<int>(s))].least);
+    aims_[s] =
+        std::max(MARGIN * MARGIN * limit[s] / (unit * unit), groups_[piece_sets_.lowest(static_cast<int>(s))].least);
   stopGroups();
   coarse_.clearResidual();
   for (int a : active_) coarse_.restrictAggregate(a, r_);

@@ -15,8 +15,8 @@ constexpr double SETTLED = 1e-3;
 /// A solve must leave less than this of the residual to be followed by another with the same springs.
 constexpr double MIN_PROGRESS = 0.3;
 
-/// Bounds are taken anew after so many Newton steps at most. Where they go round in a circle by then the last ones stay:
-/// with these there is a minimum, at which no energy comes in.
+/// Bounds are taken anew after so many Newton steps at most. Where they go round in a circle by then the last ones
+/// stay: with these there is a minimum, at which no energy comes in.
 constexpr int MAX_BOUNDS = 25;
 
 /// A line search ends where less than this share of the slope at its start is left, or after so many trials.
@@ -29,7 +29,8 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   const bool coupled = p.couplers != nullptr;
   start(p, norms, dv);
   if (stats_.residual <= p.tolerance) return true;
-  if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance)) startAt(p, p.basis[0], dv);
+  if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance))
+    startAt(p, p.basis[0], dv);
   if (coupled) guessRigidly(p, dv);
   bool tight = !coupled, same_springs = false;
   for (bool first = true;; first = false) {
@@ -54,11 +55,7 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
         return true;
       }
       // What float has lost, a fresh residual finds; where it does not, a direct solver may.
-      const bool finite = std::isfinite(stats_.residual);
-      if (!done && (same_springs || !finite) && !(stats_.residual < MIN_PROGRESS * before)) {
-        if (!p.equations->fallBack(used_)) break;
-        if (!finite) startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
-      }
+      if (!done && same_springs && !(stats_.residual < MIN_PROGRESS * before) && !p.equations->fallBack(used_)) break;
     }
     same_springs = tight = last_springs;
   }
@@ -82,8 +79,7 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     place(p, *dv);
     p.couplers->takeBounds(moved_);
     p.couplers->update(moved_);
-    for (std::size_t i = 0; i < used_.size(); ++i)
-      impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
+    for (std::size_t i = 0; i < used_.size(); ++i) impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
   }
   on_copies_.assign(alone_.size(), Vec3::Zero());
   addImpulses(impulses_, &on_copies_);
@@ -137,24 +133,26 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool f
   group_of_piece_.resize(norms.measures().size());
   for (std::size_t c = 0; c < p.piece.size(); ++c) group_of_piece_[p.piece[c]] = p.group[c];
   right_ = alone_;
-  for (std::size_t i = 0; i < used_.size(); ++i)
-    addShares(used_[i], p.time_step * used_[i].at(moved_[i]), &right_);
+  for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], p.time_step * used_[i].at(moved_[i]), &right_);
   limit_ = norms.measures();
   for (double& limit : limit_) limit *= p.tolerance * p.tolerance;
   if (!tight) loosen(p, norms);
   direction_.assign(copies, Vec3::Zero());
   left_.assign(copies, Vec3::Zero());
-  stats_.iterations += p.equations->correct(right_, limit_, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
+  stats_.iterations +=
+      p.equations->correct(right_, limit_, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
   pull_.resize(copies);
-  for (std::size_t c = 0; c < copies; ++c) pull_[c] = right_[c] - left_[c];
-  bool finite = true;
+  double length = 0;
+  for (std::size_t c = 0; c < copies; ++c) {
+    pull_[c] = right_[c] - left_[c];
+    if (p.held[c] < 0) length += direction_[c].squaredNorm();
+  }
   for (std::size_t i = 0; i < used_.size(); ++i) {
     way_[i] = p.time_step * weightedSum(used_[i], direction_);
     addShares(used_[i], -p.time_step * (used_[i].stiffness * way_[i]), &pull_);
-    finite = finite && way_[i].allFinite();
   }
   for (Group& group : groups_) group.share = 1;
-  return finite;
+  return std::isfinite(length);
 }
 
 /// Lets each piece have the larger limit of its group's loose solve.

@@ -1,157 +1,265 @@
 #include "incision/solver/rigid_guess.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace incision {
 namespace {
 
-constexpr int MAX_ITERATIONS = 100;
+constexpr int MODES = 6;
 
-/// A guess need not be better than this: a spring's force may still change by this share of the largest.
+/// Newton steps at most, and how good the guess need be: a spring's force may still change by this share of the
+/// largest.
+constexpr int MAX_STEPS = 100;
 constexpr double GOOD_ENOUGH = 1e-2;
 
+/// A line search ends where less than this share of the slope at its start is left, or after so many trials.
 constexpr double SEARCH_TOLERANCE = 0.05;
 constexpr int MAX_SEARCH = 20;
 
+using Block = Eigen::Matrix<double, MODES, MODES>;
+using Motions = Eigen::VectorXd;  // of each piece its velocity [m/s], and its rate of turning [1/s]
+
 Mat3 crossMatrix(const Vec3& a) { return (Mat3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished(); }
+
+/// What a spring sees of a piece's rigid motions: [a 1 | −[b]×].
+struct End {
+  int piece;  // among those that springs act on
+  double a;
+  Vec3 b;
+
+  Vec3 wayOf(const Motions& q) const {
+    return a * q.segment<3>(MODES * piece) + q.segment<3>(MODES * piece + 3).cross(b);
+  }
+};
 
 }  // namespace
 
+struct RigidGuess::Work {
+  std::vector<int> number;                 // of each piece among those that springs act on; −1: none does
+  std::vector<int> piece;                  // of each number
+  Lists<End> ends;                         // of each spring
+  Lists<int> blocks_of;                    // of each spring, for its ends k ≥ l in turn
+  std::vector<std::pair<int, int>> pairs;  // column and row of each block, ascending
+  std::vector<Block> mass, blocks;         // of each piece; of each pair
+  Eigen::SparseMatrix<double> matrix;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
+  Motions driving, q, right, step;
+  std::vector<Vec3> way, tried, expected;  // of each spring
+
+  void findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs);
+  void findPattern();
+  void drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies);
+  bool findStep(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
+  double searchLine(Couplers* couplers, const std::vector<Vec3>& moved);
+  bool isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved) const;
+  Motions momentum(const Motions& of) const;
+};
+
+RigidGuess::RigidGuess() : work_(std::make_unique<Work>()) {}
+RigidGuess::~RigidGuess() = default;
+
 void RigidGuess::find(const RigidPieces& rigid, double time_step, const std::vector<Vec3>& x,
                       const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved) {
-  iterations_ = 0;
-  findEnds(rigid, x, couplers->springs());
-  if (piece_.empty()) return;
-  driveBy(rigid, x, driving);
-  q_ = Eigen::VectorXd::Zero(drive_.size());
-  way_.resize(moved->size());
-  tried_.resize(moved->size());
+  Work& w = *work_;
+  w.findEnds(rigid, x, couplers->springs());
   couplers->takeBounds(*moved);
   couplers->update(*moved);
-  for (; iterations_ < MAX_ITERATIONS;) {
-    ++iterations_;
-    const std::vector<Spring>& springs = couplers->springs();
-    assemble(time_step, springs, *moved);
-    step_ = matrix_.ldlt().solve(right_);
-    for (std::size_t i = 0; i < springs.size(); ++i) {
-      way_[i].setZero();
-      for (const End& end : ends_[static_cast<int>(i)])
-        way_[i] += time_step * (end.a * step_.segment<3>(end.unknown) + Vec3(step_.segment<3>(end.unknown + 3)).cross(end.b));
-    }
-    // expected forces
-    double largest = 0, off = 0;
-    for (std::size_t i = 0; i < springs.size(); ++i) tried_[i] = springs[i].at((*moved)[i] + way_[i]);
-    const std::vector<Vec3> expected = tried_;
-    const double slope = step_.dot(drive_ - mass_ * q_), curvature = step_.dot(mass_ * step_);
-    double here = 0, bend = 0;
-    const auto trial = [&](double share) {
-      for (std::size_t i = 0; i < way_.size(); ++i) tried_[i] = (*moved)[i] + share * way_[i];
-      couplers->update(tried_);
-      here = slope - share * curvature;
-      bend = curvature;
-      for (std::size_t i = 0; i < way_.size(); ++i) {
-        here += way_[i].dot(springs[i].at(tried_[i]));
-        bend += way_[i].dot(springs[i].stiffness * way_[i]);
-      }
-    };
-    trial(0);
-    const double at_start = here;
-    double near = 0, far = 1, share = 1;
-    trial(1);
-    for (int k = 0; k < MAX_SEARCH && (k > 0 || here < 0) && std::abs(here) > SEARCH_TOLERANCE * at_start; ++k) {
-      (here > 0 ? near : far) = share;
-      const double newton = share + here / bend;
-      share = newton > near && newton < far ? newton : (near + far) / 2;
-      trial(share);
-    }
-    q_ += share * step_;
-    for (std::size_t i = 0; i < way_.size(); ++i) (*moved)[i] += share * way_[i];
+  if (w.piece.empty()) return;
+  w.findPattern();
+  w.drive(rigid, x, driving);
+  for (int k = 0; k < MAX_STEPS; ++k) {
+    if (!w.findStep(time_step, couplers->springs(), *moved)) break;
+    const double share = w.searchLine(couplers, *moved);
+    w.q += share * w.step;
+    for (std::size_t i = 0; i < moved->size(); ++i) (*moved)[i] += share * w.way[i];
     couplers->takeBounds(*moved);
     couplers->update(*moved);
-    for (std::size_t i = 0; i < way_.size(); ++i) {
-      const Vec3 force = springs[i].at((*moved)[i]);
-      largest = std::max(largest, force.squaredNorm());
-      off = std::max(off, (force - expected[i]).squaredNorm());
-    }
-    if (share == 1 && off <= GOOD_ENOUGH * GOOD_ENOUGH * largest) break;
+    if (share == 1 && w.isGood(couplers->springs(), *moved)) break;
   }
 }
 
 void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std::vector<Vec3>* dv) const {
-  if (piece_.empty()) return;
+  const Work& w = *work_;
+  if (w.piece.empty()) return;
   for (std::size_t c = 0; c < x.size(); ++c) {
-    const int piece = rigid.pieceOf(c), at = unknown_[static_cast<std::size_t>(piece)];
-    if (at < 0) continue;
-    (*dv)[c] += Vec3(q_.segment<3>(at)) + Vec3(q_.segment<3>(at + 3)).cross(x[c] - rigid.centreOf(piece));
+    const int piece = rigid.pieceOf(c), number = w.number[static_cast<std::size_t>(piece)];
+    if (number >= 0) (*dv)[c] += End{number, 1, x[c] - rigid.centreOf(piece)}.wayOf(w.q);
   }
 }
 
-void RigidGuess::findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs) {
-  unknown_.assign(rigid.pieces(), -1);
-  piece_.clear();
-  ends_.clear();
+void RigidGuess::Work::findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x,
+                                const std::vector<Spring>& springs) {
+  number.assign(rigid.pieces(), -1);
+  piece.clear();
+  ends.clear();
   for (const Spring& spring : springs) {
     for (int k = 0; k < spring.count; ++k) {
-      const int copy = spring.copies[k], piece = rigid.pieceOf(copy);
+      const auto copy = static_cast<std::size_t>(spring.copies[k]);
       if (!rigid.isFree(copy)) continue;
-      int& unknown = unknown_[static_cast<std::size_t>(piece)];
-      if (unknown < 0) {
-        unknown = 6 * static_cast<int>(piece_.size());
-        piece_.push_back(piece);
+      const int of_copy = rigid.pieceOf(copy);
+      int& n = number[static_cast<std::size_t>(of_copy)];
+      if (n < 0) {
+        n = static_cast<int>(piece.size());
+        piece.push_back(of_copy);
       }
-      Span<End> ends = ends_.unfinished();
+      const Span<End> known = ends.unfinished();
       int at = 0;
-      while (at < ends.size() && ends[at].unknown != unknown) ++at;
-      if (at == ends.size()) ends_.append({unknown, 0, Vec3::Zero()});
-      End& end = ends_.unfinished()[at];
+      while (at < known.size() && known[at].piece != n) ++at;
+      if (at == known.size()) ends.append({n, 0, Vec3::Zero()});
+      End& end = ends.unfinished()[at];
       end.a += spring.weights[k];
-      end.b += spring.weights[k] * (x[copy] - rigid.centreOf(piece));
+      end.b += spring.weights[k] * (x[copy] - rigid.centreOf(of_copy));
     }
-    ends_.finish();
+    ends.finish();
   }
 }
 
-void RigidGuess::driveBy(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& driving) {
-  const int size = 6 * static_cast<int>(piece_.size());
-  mass_ = Eigen::MatrixXd::Zero(size, size);
-  drive_ = Eigen::VectorXd::Zero(size);
-  for (std::size_t k = 0; k < piece_.size(); ++k) {
-    const int at = 6 * static_cast<int>(k);
-    mass_.block<3, 3>(at, at) = rigid.massOf(piece_[k]) * Mat3::Identity();
-    mass_.block<3, 3>(at + 3, at + 3) = rigid.inertiaOf(piece_[k]);
+/// The lower triangle by columns: blocks on the diagonal, and where a spring lies between two pieces.
+void RigidGuess::Work::findPattern() {
+  pairs.clear();
+  for (std::size_t n = 0; n < piece.size(); ++n) pairs.emplace_back(n, n);
+  const auto pairOf = [](const End& a, const End& b) {
+    return std::pair(std::min(a.piece, b.piece), std::max(a.piece, b.piece));
+  };
+  for (int i = 0; i < ends.count(); ++i)
+    for (const End& a : std::as_const(ends)[i])
+      for (const End& b : std::as_const(ends)[i])
+        if (a.piece > b.piece) pairs.push_back(pairOf(a, b));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  blocks_of.clear();
+  for (int i = 0; i < ends.count(); ++i) {
+    const Span<const End> list = std::as_const(ends)[i];
+    for (int k = 0; k < list.size(); ++k)
+      for (int l = 0; l <= k; ++l)
+        blocks_of.append(
+            static_cast<int>(std::lower_bound(pairs.begin(), pairs.end(), pairOf(list[k], list[l])) - pairs.begin()));
+    blocks_of.finish();
   }
+  blocks.resize(pairs.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const auto& [column, row] : pairs)
+    for (int j = 0; j < MODES; ++j)
+      for (int i = 0; i < MODES; ++i) entries.emplace_back(MODES * row + i, MODES * column + j, 1);
+  const auto size = static_cast<int>(MODES * piece.size());
+  matrix.resize(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  solver.analyzePattern(matrix);
+}
+
+void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies) {
+  mass.assign(piece.size(), Block::Zero());
+  for (std::size_t n = 0; n < piece.size(); ++n) {
+    mass[n].topLeftCorner<3, 3>() = rigid.massOf(piece[n]) * Mat3::Identity();
+    mass[n].bottomRightCorner<3, 3>() = rigid.inertiaOf(piece[n]);
+  }
+  driving = q = Motions::Zero(static_cast<int>(MODES * piece.size()));
   for (std::size_t c = 0; c < x.size(); ++c) {
-    const int piece = rigid.pieceOf(c), at = unknown_[static_cast<std::size_t>(piece)];
-    if (at < 0) continue;
-    drive_.segment<3>(at) += driving[c];
-    drive_.segment<3>(at + 3) += (x[c] - rigid.centreOf(piece)).cross(driving[c]);
+    const int of_copy = rigid.pieceOf(c), n = number[static_cast<std::size_t>(of_copy)];
+    if (n < 0) continue;
+    driving.segment<3>(MODES * n) += on_copies[c];
+    driving.segment<3>(MODES * n + 3) += (x[c] - rigid.centreOf(of_copy)).cross(on_copies[c]);
   }
 }
 
-void RigidGuess::assemble(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved) {
-  matrix_ = mass_;
-  right_ = drive_ - mass_ * q_;
+Motions RigidGuess::Work::momentum(const Motions& of) const {
+  Motions p(of.size());
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    const int at = MODES * static_cast<int>(n);
+    p.segment<MODES>(at) = mass[n] * of.segment<MODES>(at);
+  }
+  return p;
+}
+
+/// The Newton step from q, and how far the springs' points go in it. Returns false where there is none.
+bool RigidGuess::Work::findStep(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved) {
+  right = driving - momentum(q);
+  for (Block& block : blocks) block.setZero();
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (pairs[k].first == pairs[k].second) blocks[k] = mass[static_cast<std::size_t>(pairs[k].first)];
   for (std::size_t i = 0; i < springs.size(); ++i) {
-    const Spring& spring = springs[i];
-    const Vec3 impulse = time_step * spring.at(moved[i]);
-    for (const End& end : ends_[static_cast<int>(i)]) {
-      right_.segment<3>(end.unknown) += end.a * impulse;
-      right_.segment<3>(end.unknown + 3) += end.b.cross(impulse);
-    }
-    if (!spring.isStiff()) continue;
-    const Mat3 K = time_step * time_step * spring.stiffness;
-    for (const End& end : ends_[static_cast<int>(i)]) {
-      const Mat3 shift = end.a * K, turn = crossMatrix(end.b) * K;
-      for (const End& other : ends_[static_cast<int>(i)]) {
-        const Mat3 arms = crossMatrix(other.b);
-        matrix_.block<3, 3>(end.unknown, other.unknown) += other.a * shift;
-        matrix_.block<3, 3>(end.unknown, other.unknown + 3) -= shift * arms;
-        matrix_.block<3, 3>(end.unknown + 3, other.unknown) += other.a * turn;
-        matrix_.block<3, 3>(end.unknown + 3, other.unknown + 3) -= turn * arms;
+    const Span<const End> list = std::as_const(ends)[static_cast<int>(i)];
+    const Vec3 impulse = time_step * springs[i].at(moved[i]);
+    const Mat3 K = time_step * time_step * springs[i].stiffness;
+    const int* block = std::as_const(blocks_of)[static_cast<int>(i)].begin();
+    for (int k = 0; k < list.size(); ++k) {
+      right.segment<3>(MODES * list[k].piece) += list[k].a * impulse;
+      right.segment<3>(MODES * list[k].piece + 3) += list[k].b.cross(impulse);
+      for (int l = 0; l <= k && springs[i].isStiff(); ++l, ++block) {
+        const bool swapped = list[k].piece < list[l].piece;
+        const End &row = list[swapped ? l : k], &column = list[swapped ? k : l];
+        const Mat3 turn = crossMatrix(row.b) * K, arms = crossMatrix(column.b);
+        Block& sum = blocks[static_cast<std::size_t>(*block)];
+        sum.topLeftCorner<3, 3>() += row.a * column.a * K;
+        sum.topRightCorner<3, 3>() -= row.a * K * arms;
+        sum.bottomLeftCorner<3, 3>() += column.a * turn;
+        sum.bottomRightCorner<3, 3>() -= turn * arms;
       }
     }
   }
+  // The blocks of a column lie one below the other in each of its six columns.
+  for (std::size_t k = 0, end = 0; k < pairs.size(); k = end) {
+    while (end < pairs.size() && pairs[end].first == pairs[k].first) ++end;
+    double* values = matrix.valuePtr() + matrix.outerIndexPtr()[MODES * pairs[k].first];
+    for (int j = 0; j < MODES; ++j)
+      for (std::size_t b = k; b < end; ++b)
+        for (int i = 0; i < MODES; ++i) *values++ = blocks[b](i, j);
+  }
+  solver.factorize(matrix);
+  if (solver.info() != Eigen::Success) return false;
+  step = solver.solve(right);
+  way.assign(springs.size(), Vec3::Zero());
+  expected.resize(springs.size());
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    for (const End& end : std::as_const(ends)[static_cast<int>(i)]) way[i] += time_step * end.wayOf(step);
+    expected[i] = springs[i].at(moved[i] + way[i]);
+  }
+  return step.allFinite();
+}
+
+/// Where the springs at the step's end drive the pieces back, the share of it at which they drive them nowhere along
+/// it.
+double RigidGuess::Work::searchLine(Couplers* couplers, const std::vector<Vec3>& moved) {
+  const std::vector<Spring>& springs = couplers->springs();
+  const double slope = step.dot(driving - momentum(q)), curvature = step.dot(momentum(step));
+  double bend = 0;
+  const auto slopeAt = [&](double share) {
+    tried.resize(moved.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) tried[i] = moved[i] + share * way[i];
+    couplers->update(tried);
+    double here = slope - share * curvature;
+    bend = curvature;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      here += way[i].dot(springs[i].at(tried[i]));
+      bend += way[i].dot(springs[i].stiffness * way[i]);
+    }
+    return here;
+  };
+  const double at_start = slopeAt(0);
+  double here = slopeAt(1);
+  if (!(here < 0)) return 1;
+  double near = 0, far = 1, share = 1;
+  for (int k = 0; k < MAX_SEARCH && std::abs(here) > SEARCH_TOLERANCE * at_start; ++k) {
+    (here > 0 ? near : far) = share;
+    const double newton = share + here / bend;
+    share = newton > near && newton < far ? newton : (near + far) / 2;
+    here = slopeAt(share);
+  }
+  return share;
+}
+
+bool RigidGuess::Work::isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved) const {
+  double largest = 0, off = 0;
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Vec3 force = springs[i].at(moved[i]);
+    largest = std::max({largest, force.squaredNorm(), expected[i].squaredNorm()});
+    off = std::max(off, (force - expected[i]).squaredNorm());
+  }
+  return off <= GOOD_ENOUGH * GOOD_ENOUGH * largest;
 }
 
 }  // namespace incision

@@ -80,8 +80,8 @@ void RigidPieces::measure(const Assembly& assembly, const Motion& motion, std::v
   }
 }
 
-/// Twice the mean rate is that at the start and that at the end; there the body has turned by Q and L is as it was. What
-/// turns far in a step takes as many short ones: the energy of a spin is that of the angle between L and the body.
+/// Twice the mean rate is that at the start and that at the end; there the body has turned by Q and L is as it was.
+/// What turns far in a step takes as many short ones: the energy of a spin is that of the angle between L and the body.
 RigidPieces::Turn RigidPieces::turnOf(const Body& body, double time_step) {
   const Mat3 J = 0.5 * (body.inertia + body.inertia.transpose()), inverse = pseudoInverse(J);
   const Vec3 rate = inverse * body.spin;
@@ -227,8 +227,7 @@ void RigidPieces::findKicks(const Assembly& assembly, const StepBase& base, cons
   }
 }
 
-void RigidPieces::firstOfSecondOrder(const Assembly& assembly, const Motion& motion, double time_step,
-                                     StepBase* base) {
+void RigidPieces::firstOfSecondOrder(const Assembly& assembly, const Motion& motion, double time_step, StepBase* base) {
   euler(assembly, motion, time_step, base);
   for (std::size_t c = 0; c < motion.x.size(); ++c) {
     if (!isFree(c)) continue;
@@ -239,8 +238,8 @@ void RigidPieces::firstOfSecondOrder(const Assembly& assembly, const Motion& mot
   }
 }
 
-/// The frame goes with the piece's rigid motion of now, backwards and forwards; in it the second order formula holds for
-/// places and for velocities w beside the frame, which the frame's own acceleration and Coriolis' drive:
+/// The frame goes with the piece's rigid motion of now, backwards and forwards; in it the second order formula holds
+/// for places and for velocities w beside the frame, which the frame's own acceleration and Coriolis' drive:
 ///   m dw/dt = f − m (dω/dt × r + ω × (ω × r) + 2 ω × w).
 void RigidPieces::secondOrder(const Assembly& assembly, const Motion& now, const Motion& before, double time_step,
                               StepBase* base) {

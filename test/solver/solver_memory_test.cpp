@@ -17,17 +17,22 @@ RigSettings fallingBlock(Method method) {
 struct SpannedBlock : Rig {
   explicit SpannedBlock(Method method)
       : Rig(block({16, 4, 4}, Vec3(1, 0.25, 0.25)), fallingBlock(method)),
-        coupler([this](const std::vector<Vec3>&, std::vector<Spring>* springs) {
-          for (int k = 0; is_on && k < 20; ++k) springs->push_back(springFrom(30 + k));
-          return false;
-        }),
+        coupler(springs(),
+                [this](Span<const Vec3>, Span<Spring> springs) {
+                  for (Spring& spring : springs) spring.stiffness = (is_on ? 1e3 : 0.0) * Mat3::Identity();
+                }),
         couplers({&coupler}) {}
+
+  std::vector<Spring> springs() const {
+    std::vector<Spring> list;
+    for (int k = 0; k < 20; ++k) list.push_back(springFrom(30 + k));
+    return list;
+  }
 
   Spring springFrom(int copy) const {
     Spring spring;
     spring.add(copy, 1);
     spring.add(mesh.numCopies() - copy, -1);
-    spring.stiffness = 1e3 * Mat3::Identity();
     return spring;
   }
 

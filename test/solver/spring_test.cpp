@@ -118,7 +118,8 @@ TEST(Spring, ThatMovesOnLeavesNoTrailInTheFactor) {
   EXPECT_EQ(solver.extraBlocks(), 0);
 }
 
-// Of a potential like that of a string, k (|y| − l)²/2 where it is taut: what acts at the end is what it pulls with there.
+// Of a potential like that of a string, k (|y| − l)²/2 where it is taut: what acts at the end is what it pulls with
+// there.
 TEST(Spring, ActsAsItDoesAtTheEndOfTheStep) {
   for (const Method method : {Method::DIRECT, Method::ITERATIVE}) {
     ThrownPieces rig(method);

@@ -14,7 +14,8 @@ class GivenSprings : public WithMemory<Coupler, int> {
   using Update = std::function<void(Span<const Vec3> moved, Span<Spring> springs)>;
 
   /// Springs that `update` gives their force and stiffness; left out, they are linear.
-  explicit GivenSprings(std::vector<Spring> springs, Update update = [](auto, auto) {})
+  explicit GivenSprings(
+      std::vector<Spring> springs, Update update = [](auto, auto) {})
       : springs_(std::move(springs)), update_(std::move(update)) {}
 
   void changed(const CutMesh& /*mesh*/) override {}
@@ -42,7 +43,12 @@ class GivenSprings : public WithMemory<Coupler, int> {
 /// Takes a step under these couplers. Returns whether it could be taken.
 inline bool advanceWith(Rig* rig, Couplers* couplers) {
   const std::vector<Vec3>& ahead = rig->step.begin(rig->time_step, rig->motion);
-  couplers->begin({{rig->time_step}, rig->mesh, rig->step.pieceOf(), rig->motion, ahead, rig->step.inertia(),
+  couplers->begin({{rig->time_step},
+                   rig->mesh,
+                   rig->step.pieceOf(),
+                   rig->motion,
+                   ahead,
+                   rig->step.inertia(),
                    rig->step.pieceMass()});
   if (!rig->step.advance(rig->time, &rig->motion, couplers)) return false;
   couplers->accept(rig->step.moved(), rig->motion, rig->step.felt());

@@ -17,9 +17,9 @@ inline constexpr double OBSTACLE_STIFFNESS = 200;
 inline constexpr double MARGIN = 0.1;
 
 /// A contact that begins inside, as where a scene starts with an overlap, or that gets deeper by coming upon another
-/// plane, leaves that depth alone: a spring that is there at once would come with energy from nowhere, and shoot the body
-/// out. The depth inside an obstacle in which it begins is worked off at this speed, in elements a second; that is the
-/// obstacle's work.
+/// plane, leaves that depth alone: a spring that is there at once would come with energy from nowhere, and shoot the
+/// body out. The depth inside an obstacle in which it begins is worked off at this speed, in elements a second; that is
+/// the obstacle's work.
 inline constexpr double RECOVERY = 1;
 
 /// Contacts of the body with itself that begin deeper than this, in elements, are none: the point lies behind a face of
@@ -36,6 +36,7 @@ struct Candidate {
   double worked_off;     ///< how much of it is still to be worked off [m]
   Vec3 drift;            ///< of the partner in the step, where it is an obstacle [m]
   double stiffness;      ///< k [N/m]
+  double tangential;     ///< k_t [N/m]
   double size;           ///< h of the elements there [m]
   Vec3 slip;             ///< s, tangential: how far the point has dragged on the partner, elastically [m]
   Vec3 normal_in_solid;  ///< the normal in the frame of the solid
@@ -46,22 +47,24 @@ struct Candidate {
 
 /// What a contact leaves for the next step.
 struct Touch {
-  int sample, partner;   ///< of the candidate
-  double gap;            ///< at the end of the step, less the depth that is ignored [m]
-  double ignored, worked_off;  ///< of the candidate [m]
-  double stiffness;      ///< of the candidate [N/m]
-  Vec3 slip;             ///< at the end of the step [m]
-  Vec3 normal_in_solid;  ///< of the candidate
-  SurfaceVertex vertex;  ///< where it is, and
-  int sample_of_vertex;  ///< which of the vertex's samples: so that it is found again after a cut
+  int sample, partner;           ///< of the candidate
+  double gap;                    ///< at the end of the step, less the depth that is ignored [m]
+  double ignored, worked_off;    ///< of the candidate [m]
+  double stiffness, tangential;  ///< of the candidate [N/m]
+  Vec3 slip;                     ///< at the end of the step [m]
+  Vec3 normal_in_solid;          ///< of the candidate
+  SurfaceVertex vertex;          ///< where it is, and
+  int sample_of_vertex;          ///< which of the vertex's samples: so that it is found again after a cut
 
   static constexpr int GONE = -1;  ///< a sample that a cut has taken away
 };
 
 template <class Archive>
 void serialize(Archive& archive, Touch& touch) {
-  auto& [sample, partner, gap, ignored, worked_off, stiffness, slip, normal_in_solid, vertex, sample_of_vertex] = touch;
-  archive(sample, partner, gap, ignored, worked_off, stiffness, slip, normal_in_solid, vertex, sample_of_vertex);
+  auto& [sample, partner, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
+         sample_of_vertex] = touch;
+  archive(sample, partner, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
+          sample_of_vertex);
 }
 
 /// Contacts are in the order of their partners, and then of their samples.

@@ -36,21 +36,20 @@ class FragmentFinder {
   /// The step for which `find` was called last has failed.
   void stepFailed();
 
-  /// Candidates for a step from positions `x` [m] of the surface's vertices, which go by `ahead` [m] if nothing new acts,
-  /// appended in the order of the samples, at most one for each. A sample has a candidate where it lies
-  /// before or just behind a triangle that faces it, and where the two could meet within the step.
+  /// Candidates for a step from positions `x` [m] of the surface's vertices, which go by `ahead` [m] if nothing new
+  /// acts, appended in the order of the samples, at most one for each. A sample has a candidate where it lies before or
+  /// just behind a triangle that faces it, and where the two could meet within the step.
   ///
   /// What lay behind a triangle of its own piece at rest has material in between, and is none.
-  void find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
-            int threads, std::vector<Candidate>* candidates);
+  void find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads,
+            std::vector<Candidate>* candidates);
 
  private:
   using Cell = Eigen::Array<std::int64_t, 3, 1>;
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   bool isFresh(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead) const;
-  void search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
-              int threads);
+  void search(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads);
   void fillGrid(const ContactSurface& surface, const std::vector<Vec3>& x);
   template <typename Function>
   bool forEachSlot(const Eigen::AlignedBox3d& box, const Function& f) const;

@@ -29,7 +29,7 @@ struct StepStart {
   const CutMesh& mesh;
   const std::vector<int>& piece;  ///< of each copy
   const Motion& motion;
-  const std::vector<Vec3>& ahead;  ///< how far each copy goes in the step if nothing new acts on it [m]
+  const std::vector<Vec3>& ahead;         ///< how far each copy goes in the step if nothing new acts on it [m]
   const std::vector<double>& inertia;     ///< what each copy resists with in the step: a third of trace(A_cc) [kg]
   const std::vector<double>& piece_mass;  ///< of each piece, infinite where it is held [kg]
 };

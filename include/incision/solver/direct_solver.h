@@ -33,8 +33,8 @@ class DirectSolver : public LinearSolver {
   BlockPattern pattern_;
   // Blocks beside the pattern's, row ≤ column, ascending: where springs have been of late.
   std::vector<std::pair<int, int>> extra_;
-  std::vector<char> used_;  // of each: by the springs now
-  int idle_ = 0;            // factorisations in a row in which less than half of them were used
+  std::vector<char> used_;    // of each: by the springs now
+  int idle_ = 0;              // factorisations in a row in which less than half of them were used
   std::vector<double> ones_;  // of each row
   std::vector<int> source_;   // of each entry of the lower triangle, in blocks_
   BlockAssembler<double> assembler_;

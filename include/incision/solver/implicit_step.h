@@ -64,9 +64,9 @@ class ImplicitStep : private StepEquations {
   /// A step of second order starts, as RigidPieces says: one of 2/3 `time_step`; with the rotations ahead too.
   void beginSecondOrder(double time_step, const Motion& now, const Motion& before);
 
-  /// Takes the step that has begun, at `time` [s], under the couplers where there are any; these must have begun it too.
-  /// Returns false, with the motion and the memory as they were, when the system cannot be factorised or a value is not
-  /// finite.
+  /// Takes the step that has begun, at `time` [s], under the couplers where there are any; these must have begun it
+  /// too. Returns false, with the motion and the memory as they were, when the system cannot be factorised or a value
+  /// is not finite.
   bool advance(double time, Motion* motion, Couplers* couplers = nullptr);
 
   const Assembly& assembly() const { return assembly_; }

@@ -73,10 +73,10 @@ class IterativeSolver : public LinearSolver {
   std::vector<int> piece_of_, group_of_;  // of each aggregate
   int pieces_ = 0;
   DisjointSets piece_sets_;
-  std::vector<Group> groups_;      // by their lowest piece
+  std::vector<Group> groups_;             // by their lowest piece
   std::vector<double> piece_sum_, aims_;  // |r|² of each piece, and what it shall be
-  std::vector<double> terms_;      // of each aggregate
-  std::vector<int> active_;        // aggregates of the groups that go on
+  std::vector<double> terms_;             // of each aggregate
+  std::vector<int> active_;               // aggregates of the groups that go on
 };
 
 }  // namespace incision

@@ -47,7 +47,8 @@ class LinearSolver {
   /// After the rotations changed; `x` are the copies' positions [m]. springsChanged must follow.
   virtual void matrixChanged(const std::vector<Vec3>& x) = 0;
 
-  /// After the springs changed, those of a step of `time_step` [s]. Those that are not stiff are left out. Returns false when A is not positive definite.
+  /// After the springs changed, those of a step of `time_step` [s]. Those that are not stiff are left out. Returns
+  /// false when A is not positive definite.
   virtual bool springsChanged(const std::vector<Spring>& springs, double time_step) = 0;
 
   /// A copy of the memory, in place of what `memory` holds.
@@ -56,10 +57,10 @@ class LinearSolver {
   /// Puts a memory back that was kept of this system. Between systemChanged and matrixChanged.
   virtual void recall(const SolverMemory& memory) = 0;
 
-  /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. Each piece's |left|²
-  /// in the norm scaled by the diagonal of A is then at most its `limit`, or as near to it as the solver gets; pieces
-  /// that are there to begin with have d = 0. The solution is likely near a sum of multiples of the vectors in `basis`,
-  /// where there is one. Returns how many iterations that took.
+  /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. Each piece's
+  /// |left|² in the norm scaled by the diagonal of A is then at most its `limit`, or as near to it as the solver gets;
+  /// pieces that are there to begin with have d = 0. The solution is likely near a sum of multiples of the vectors in
+  /// `basis`, where there is one. Returns how many iterations that took.
   virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
                       std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
 

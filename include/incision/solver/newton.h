@@ -28,8 +28,8 @@ class StepEquations {
   /// The right-hand side less A Δv at every copy [N s], without springs; at held copies it has no meaning.
   virtual void residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) = 0;
 
-  /// Takes over the springs that act, into the matrix and into the groups of pieces between which they do. Returns false
-  /// when the matrix is not positive definite.
+  /// Takes over the springs that act, into the matrix and into the groups of pieces between which they do. Returns
+  /// false when the matrix is not positive definite.
   virtual bool setSprings(const std::vector<Spring>& springs) = 0;
 
   /// LinearSolver::correct and isDirect.
@@ -37,8 +37,8 @@ class StepEquations {
                       std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
   virtual bool isDirect() const = 0;
 
-  /// Takes these impulses of springs on copies [N s] into the base: the step then starts from the rigid motion that they
-  /// leave, and `ahead` and the residual are those from there.
+  /// Takes these impulses of springs on copies [N s] into the base: the step then starts from the rigid motion that
+  /// they leave, and `ahead` and the residual are those from there.
   virtual void rebase(const std::vector<Vec3>& impulses) = 0;
 
   /// Goes over to a direct solver with these springs. Returns false where that cannot be.
@@ -48,22 +48,22 @@ class StepEquations {
 /// What is given in a step.
 struct StepProblem {
   StepEquations* equations;
-  Couplers* couplers;  ///< null: none takes part
-  double time_step;    ///< [s]
-  double tolerance;    ///< of linear solves
-  const std::vector<Vec3>& ahead;        ///< how far each copy goes where Δv = 0 [m]
-  const std::vector<Vec3>& loads;        ///< impulse of weight and loads on each copy [N s]
-  const std::vector<double>& rounding;   ///< of the residual at each copy [N s]
-  const Basis& basis;                    ///< the solution is likely near a sum of its vectors
-  const std::vector<int>& piece, &held;  ///< the piece of each copy, and its clamp or −1
-  const std::vector<int>& group;         ///< of each copy; springs join groups as they are taken over
+  Couplers* couplers;                   ///< null: none takes part
+  double time_step;                     ///< [s]
+  double tolerance;                     ///< of linear solves
+  const std::vector<Vec3>& ahead;       ///< how far each copy goes where Δv = 0 [m]
+  const std::vector<Vec3>& loads;       ///< impulse of weight and loads on each copy [N s]
+  const std::vector<double>& rounding;  ///< of the residual at each copy [N s]
+  const Basis& basis;                   ///< the solution is likely near a sum of its vectors
+  const std::vector<int>&piece, &held;  ///< the piece of each copy, and its clamp or −1
+  const std::vector<int>& group;        ///< of each copy; springs join groups as they are taken over
   const RigidPieces& rigid;
   const std::vector<Vec3>& x;
 };
 
 /// Finds the Δv at which the forces of the body and of its couplers balance: the minimum of a convex function of Δv as
-/// long as the bounds stay, by Newton's method with a line search in each group of pieces. Solves before the last one are
-/// loose, and the bounds are taken anew after each.
+/// long as the bounds stay, by Newton's method with a line search in each group of pieces. Solves before the last one
+/// are loose, and the bounds are taken anew after each.
 class Newton {
  public:
   /// Limit of the Newton steps in a step.
@@ -109,17 +109,17 @@ class Newton {
 
   SolveStats stats_;
   RigidGuess rigid_guess_;
-  std::vector<Spring> used_;             // what the matrix has of the springs
-  std::vector<Vec3> moved_, impulses_;   // of each spring
-  std::vector<Vec3> way_, tried_;        // of each spring: Δt times the direction of its point, a displacement on it
-  std::vector<Vec3> alone_;              // the residual without springs at Δv, by copy
-  std::vector<Vec3> direction_, pull_;   // by copy: d, and A d without springs
-  std::vector<Vec3> right_, left_;       // of a linear solve, by copy
+  std::vector<Spring> used_;            // what the matrix has of the springs
+  std::vector<Vec3> moved_, impulses_;  // of each spring
+  std::vector<Vec3> way_, tried_;       // of each spring: Δt times the direction of its point, a displacement on it
+  std::vector<Vec3> alone_;             // the residual without springs at Δv, by copy
+  std::vector<Vec3> direction_, pull_;  // by copy: d, and A d without springs
+  std::vector<Vec3> right_, left_;      // of a linear solve, by copy
   std::vector<Vec3> on_copies_;
-  std::vector<double> limit_, square_;   // of each piece
+  std::vector<double> limit_, square_;  // of each piece
   std::vector<int> group_of_piece_;
   std::vector<double> group_square_;
-  std::vector<Group> groups_;            // by the number of their lowest piece
+  std::vector<Group> groups_;  // by the number of their lowest piece
 };
 
 }  // namespace incision

@@ -18,8 +18,9 @@ class PieceNorms {
   /// |values|² of each piece.
   void squares(const std::vector<Vec3>& values, std::vector<double>* sums) const;
 
-  /// Takes the measure of each piece from what acts on it [N s], by copy: the larger of what is left to solve where Δv =
-  /// 0, and of the impulse of its weight and loads. `rounding` bounds what rounding does to the residual at each copy.
+  /// Takes the measure of each piece from what acts on it [N s], by copy: the larger of what is left to solve where Δv
+  /// = 0, and of the impulse of its weight and loads. `rounding` bounds what rounding does to the residual at each
+  /// copy.
   void measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads, const std::vector<double>& rounding,
                double tolerance);
   /// Makes the measure at least that of these impulses.

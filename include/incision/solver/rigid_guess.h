@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <memory>
 #include <vector>
 
 #include "incision/solver/couplers.h"
@@ -8,11 +8,14 @@
 
 namespace incision {
 
-/// What couplers would do in a step if the free pieces were rigid: a guess from which the body's own Newton steps begin.
-/// In a stiff contact, where each spring that closes stops a Newton step short, it takes the many steps that it needs in
-/// six unknowns a piece.
+/// What couplers would do in a step if the free pieces were rigid: a guess from which the body's own Newton steps
+/// begin. In a stiff contact, where each spring that closes stops a Newton step short, it takes the many steps that it
+/// needs in six unknowns a piece.
 class RigidGuess {
  public:
+  RigidGuess();
+  ~RigidGuess();
+
   /// Finds the rigid motions of free pieces beside their base at which the couplers' forces and `driving` [N s], what
   /// drives each copy on where Δv = 0, balance; leaves the springs as they are there. `moved` [m], the displacements of
   /// their points where Δv = 0, goes along. `x` are the places of the base [m].
@@ -22,25 +25,9 @@ class RigidGuess {
   /// Adds these motions to `dv` [m/s].
   void addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std::vector<Vec3>* dv) const;
 
-  int iterations() const { return iterations_; }
-
  private:
-  /// What a spring sees of a piece's rigid motions: [a 1 | −[b]×].
-  struct End {
-    int unknown;  // of the piece
-    double a;
-    Vec3 b;
-  };
-  void findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs);
-  void driveBy(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& driving);
-  void assemble(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
-
-  std::vector<int> unknown_, piece_;  // of each piece its first unknown or −1; the pieces that have some
-  Lists<End> ends_;                   // of each spring
-  Eigen::MatrixXd mass_, matrix_;
-  Eigen::VectorXd drive_, q_, right_, step_;
-  std::vector<Vec3> way_, tried_;
-  int iterations_ = 0;
+  struct Work;  // Eigen's own memory: it must come and go on one side of the library's border
+  std::unique_ptr<Work> work_;
 };
 
 }  // namespace incision

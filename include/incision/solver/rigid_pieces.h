@@ -38,16 +38,16 @@ class RigidPieces {
   /// and free ones likewise in the frame that goes with their rigid motion.
   void secondOrder(const Assembly& assembly, const Motion& now, const Motion& before, double time_step, StepBase* base);
 
-  /// Gives the free pieces these impulses on copies [N s], as if at the start, when the copies were at `x` [m]: the base is
-  /// then that of the momentum and spin which they leave. `given` is what each copy has of these [N s].
+  /// Gives the free pieces these impulses on copies [N s], as if at the start, when the copies were at `x` [m]: the
+  /// base is then that of the momentum and spin which they leave. `given` is what each copy has of these [N s].
   void kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses, StepBase* base,
             std::vector<Vec3>* given);
 
   /// Where copies end in a step of implicit Euler from `motion` with these Δv [m/s], of which couplers have given the
-  /// impulses [N s]. It is the base and Δv; but pieces that couplers have acted on go as if they had done so at the start:
-  /// as the rigid body with the momentum and spin that it has then, and with what deforms turned along. So a piece that
-  /// an impact sets spinning does not leave the circle on its tangent either, and what couplers do is no more than the
-  /// energy that they have: the chord of a turn is shorter than its tangent at the start.
+  /// impulses [N s]. It is the base and Δv; but pieces that couplers have acted on go as if they had done so at the
+  /// start: as the rigid body with the momentum and spin that it has then, and with what deforms turned along. So a
+  /// piece that an impact sets spinning does not leave the circle on its tangent either, and what couplers do is no
+  /// more than the energy that they have: the chord of a turn is shorter than its tangent at the start.
   void finish(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
               const std::vector<Vec3>& impulses, Motion* motion);
 

@@ -237,8 +237,7 @@ void CuttingEdge::accept(const StepSpan& span, Span<const Vec3> moved, const Mot
     station = stations_[i].start;
     if (stations_[i].tissue.count == 0) continue;
     const Trial trial = tryAt(stations_[i], moved[next++]);
-    station.slip =
-        (trial.cuts_stiffness * trial.cuts + trial.beside_stiffness * trial.beside) / stations_[i].stiffest;
+    station.slip = (trial.cuts_stiffness * trial.cuts + trial.beside_stiffness * trial.beside) / stations_[i].stiffest;
     if (trial.yields && !stations_[i].is_free) station.forward = trial.cuts.normalized();
     if (!stations_[i].is_free) continue;
     station.slip = trial.cuts;

@@ -20,7 +20,9 @@ void expectTwoPieces(unsigned first, unsigned last) {
     EXPECT_EQ(pass.body().counts().pieces, 2);
     EXPECT_EQ(pass.body().counts().cracks, 1);
     EXPECT_LE(pass.farthest(), near);
-    if (drawn.held == test::StraightPass::Held::BOTH_SIDES) EXPECT_LE(pass.farthestAtRest(), near);
+    if (drawn.held == test::StraightPass::Held::BOTH_SIDES) {
+      EXPECT_LE(pass.farthestAtRest(), near);
+    }
   }
 }
 

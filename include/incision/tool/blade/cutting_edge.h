@@ -59,7 +59,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   /// A station in this step.
   struct Station {
     StationMemory start;
-    Spring tissue;                 // the material at the station; count 0: none resists
+    Spring tissue;              // the material at the station; count 0: none resists
     Vec3 drift = Vec3::Zero();  // of the edge in the step [m]
     double front = 0;           // what of the blade cuts there [m]
     double outward = 0;         // of a tip: along the edge, 1, or against it, −1; 0: it is none
@@ -69,9 +69,9 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   };
   /// A station's state at a trial.
   struct Trial {
-    Vec3 cuts, beside;                          // slip that cuts, and what is at right angles to it [m]
-    double cuts_stiffness, beside_stiffness;    // force over slip [N/m]
-    bool yields, slides;                        // where it cuts, and beside
+    Vec3 cuts, beside;                        // slip that cuts, and what is at right angles to it [m]
+    double cuts_stiffness, beside_stiffness;  // force over slip [N/m]
+    bool yields, slides;                      // where it cuts, and beside
   };
   /// What is where a point is: the material that resists there, nothing in a slit, the sides of a tied section alike;
   /// and how far below the skin, at rest [m].
