@@ -169,9 +169,11 @@ double Contact::pressureOf(const Candidate& candidate, const Trial& trial) {
 }
 
 /// Friction may be as large as the pressure allows.
-void Contact::takeBounds(Span<const Vec3> moved) {
-  parallelFor(moved.size(), skin_->threads(),
-              [&](int i) { most_[i] = friction_ * pressureOf(candidates_[i], tryAt(candidates_[i], moved[i])); });
+void Contact::takeBounds(Span<const Vec3> moved, double share) {
+  parallelFor(moved.size(), skin_->threads(), [&](int i) {
+    const double most = friction_ * pressureOf(candidates_[i], tryAt(candidates_[i], moved[i]));
+    most_[i] += share * (most - most_[i]);
+  });
 }
 
 /// The forces descend from ½ k g², where g is negative, and from ½ k_t s², which goes on evenly beyond the bound.

@@ -69,11 +69,11 @@ bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
 }
 
 /// The traction falls as a section opens, so that has no convex potential: the slope goes from one bound to the next.
-void Cohesion::takeBounds(Span<const Vec3> moved) {
+void Cohesion::takeBounds(Span<const Vec3> moved, double share) {
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     Stretch& stretch = stretches_[i];
     const Vec3 y = stretch.start + moved[static_cast<int>(i)], &n = stretch.normal;
-    stretch.slope = slope(memory_.bonds[i], (y - std::min(0.0, n.dot(y)) * n).norm());
+    stretch.slope += share * (slope(memory_.bonds[i], (y - std::min(0.0, n.dot(y)) * n).norm()) - stretch.slope);
   }
 }
 

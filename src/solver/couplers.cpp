@@ -23,9 +23,9 @@ bool Couplers::begin(const StepStart& start) {
   return any;
 }
 
-void Couplers::takeBounds(const std::vector<Vec3>& moved) {
+void Couplers::takeBounds(const std::vector<Vec3>& moved, double share) {
   for (std::size_t i = 0; i < list_.size(); ++i)
-    if (takes_part_[i]) list_[i]->takeBounds(ofCoupler(i, moved));
+    if (takes_part_[i]) list_[i]->takeBounds(ofCoupler(i, moved), share);
 }
 
 void Couplers::update(const std::vector<Vec3>& moved) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -180,6 +181,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
     return false;
   }
   rotated_ = false;
+  balanceMomentum(couplers != nullptr);
   remember();
   if (couplers) {
     findWrenches(*couplers, *motion);
@@ -206,13 +208,14 @@ bool ImplicitStep::solve(double time, const Motion& motion, Couplers* couplers) 
   start_x_ = &motion.x;
   given_.clear();
   externalImpulses(time + time_step_);
-  findRounding();
   dv_.resize(ahead_.size());
   for (std::size_t c = 0; c < dv_.size(); ++c)
     if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
+  double reach = 0;
+  for (const Vec3& x : base_.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
   const double tolerance = settings_.method == Method::DIRECT ? ATTAINABLE : settings_.tolerance;
-  return newton_.solve({this, couplers, time_step_, tolerance, ahead_, external_, rounding_, memory_.basis, piece_,
-                        held_, memory_.group, rigid_, base_.x},
+  return newton_.solve({this, couplers, time_step_, tolerance, ahead_, external_, time_step_ * reach, memory_.basis,
+                        piece_, held_, memory_.group, rigid_, base_.x},
                        &norms_, &dv_);
 }
 
@@ -223,6 +226,26 @@ void ImplicitStep::findWrenches(const Couplers& couplers, const Motion& start) {
   levers_.resize(springs.size());
   for (std::size_t i = 0; i < springs.size(); ++i) levers_[i] = weightedSum(springs[i], start.x);
   couplers.findWrenches(newton_.impulses(), levers_, &felt_);
+}
+
+/// The momentum of a free piece changes by the impulses of loads, weight and springs alone, whatever a solve has left
+/// of it: what is off is shared by all its copies.
+void ImplicitStep::balanceMomentum(bool coupled) {
+  const double alpha = time_step_ * assembly_.materials().massDamping();
+  const std::vector<double>& masses = assembly_.masses();
+  off_.assign(static_cast<std::size_t>(pieces_), Vec3::Zero());
+  bool any = false;
+  for (double mass : piece_mass_) any = any || std::isfinite(mass);
+  for (std::size_t c = 0; any && c < dv_.size(); ++c) {
+    Vec3& off = off_[static_cast<std::size_t>(piece_[c])];
+    off += external_[c] - masses[c] * (dv_[c] + alpha * (base_.v[c] + base_.u[c] + dv_[c]));
+    if (coupled) off += newton_.impulsesOnCopies()[c];
+    if (!given_.empty()) off -= given_[c];
+  }
+  for (std::size_t c = 0; any && c < dv_.size(); ++c) {
+    const auto piece = static_cast<std::size_t>(piece_[c]);
+    if (std::isfinite(piece_mass_[piece])) dv_[c] += off_[piece] / ((1 + alpha) * piece_mass_[piece]);
+  }
 }
 
 /// Takes Δv into the differences: D_0 = Δv, D_k = D_{k−1} − its value a step ago.
@@ -323,13 +346,6 @@ bool ImplicitStep::fallBack(const std::vector<Spring>& springs) {
   prepare(fallback_.get(), true, true);
   matrix_known_ = fallback_->springsChanged(springs, time_step_);
   return matrix_known_;
-}
-
-void ImplicitStep::findRounding() {
-  double reach = 0;
-  for (const Vec3& x : base_.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
-  rounding_.resize(assembly_.forceRounding().size());
-  for (std::size_t c = 0; c < rounding_.size(); ++c) rounding_[c] = time_step_ * reach * assembly_.forceRounding()[c];
 }
 
 /// Δt times M g and the tractions, as they stand at the end of the step.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace incision {
 namespace {
@@ -15,9 +16,9 @@ constexpr double SETTLED = 1e-3;
 /// A solve must leave less than this of the residual to be followed by another with the same springs.
 constexpr double MIN_PROGRESS = 0.3;
 
-/// Bounds are taken anew after so many Newton steps at most. Where they go round in a circle by then the last ones
-/// stay: with these there is a minimum, at which no energy comes in.
-constexpr int MAX_BOUNDS = 25;
+/// Bounds are taken anew after so many Newton steps, and go half of the way after the first ones. Where they go round
+/// in circles even so the last ones stay: with these there is a minimum, at which no energy comes in.
+constexpr int FAST_BOUNDS = 8, MAX_BOUNDS = 25;
 
 /// A line search ends where less than this share of the slope at its start is left, or after so many trials.
 constexpr double SEARCH_TOLERANCE = 0.05;
@@ -33,9 +34,9 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     startAt(p, p.basis[0], dv);
   if (coupled) guessRigidly(p, dv);
   bool tight = !coupled, same_springs = false;
+  double before = std::numeric_limits<double>::infinity();  // what the last solve with these springs left
   for (bool first = true;; first = false) {
     if (!same_springs && !takeSprings(p)) return false;
-    const double before = stats_.residual;
     if (!findDirection(p, *norms, first, tight)) {
       if (!p.equations->fallBack(used_)) return false;
       startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
@@ -55,8 +56,14 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
         return true;
       }
       // What float has lost, a fresh residual finds; where it does not, a direct solver may.
-      if (!done && same_springs && !(stats_.residual < MIN_PROGRESS * before) && !p.equations->fallBack(used_)) break;
+      const bool finite = std::isfinite(stats_.residual);
+      if (!done && (same_springs || !finite) && !(stats_.residual < MIN_PROGRESS * before)) {
+        if (!p.equations->fallBack(used_)) break;
+        if (!finite) startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
+      }
+      before = stats_.residual;
     }
+    if (!last_springs) before = std::numeric_limits<double>::infinity();
     same_springs = tight = last_springs;
   }
   stats_.converged = false;
@@ -73,7 +80,7 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   for (std::size_t c = 0; c < dv->size(); ++c)
     if (p.held[c] < 0) (*dv)[c].setZero();
   p.equations->residual(*dv, &alone_);
-  norms->measure(alone_, p.loads, p.rounding, p.tolerance);
+  norms->measure(alone_, p.loads, p.reach, p.tolerance);
   groups_.assign(norms->measures().size(), Group());
   if (p.couplers) {
     place(p, *dv);
@@ -84,7 +91,7 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   on_copies_.assign(alone_.size(), Vec3::Zero());
   addImpulses(impulses_, &on_copies_);
   right_ = alone_;
-  for (std::size_t c = 0; c < right_.size(); ++c) right_[c] += on_copies_[c];
+  addImpulses(impulses_, &right_);
   stats_.residual = norms->worstRatio(right_);
 }
 
@@ -127,36 +134,41 @@ bool Newton::takeSprings(const StepProblem& p) {
   return p.equations->setSprings(used_);
 }
 
-/// The Newton direction from Δv, and what the body alone does along it. Returns false where a value is not finite.
+/// The Newton direction from Δv, and what the body alone does along it where springs ask for that. Returns false where
+/// a value is not finite.
 bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight) {
   const std::size_t copies = alone_.size();
-  group_of_piece_.resize(norms.measures().size());
-  for (std::size_t c = 0; c < p.piece.size(); ++c) group_of_piece_[p.piece[c]] = p.group[c];
-  right_ = alone_;
-  for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], p.time_step * used_[i].at(moved_[i]), &right_);
   limit_ = norms.measures();
   for (double& limit : limit_) limit *= p.tolerance * p.tolerance;
-  if (!tight) loosen(p, norms);
+  right_ = alone_;
+  if (p.couplers) {
+    group_of_piece_.resize(limit_.size());
+    for (std::size_t c = 0; c < copies; ++c) group_of_piece_[p.piece[c]] = p.group[c];
+    for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], p.time_step * used_[i].at(moved_[i]), &right_);
+    if (!tight) loosen(norms);
+  }
   direction_.assign(copies, Vec3::Zero());
-  left_.assign(copies, Vec3::Zero());
+  left_.resize(copies);
   stats_.iterations +=
       p.equations->correct(right_, limit_, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
+  for (Group& group : groups_) group.share = 1;
+  if (!p.couplers) return true;
   pull_.resize(copies);
   double length = 0;
   for (std::size_t c = 0; c < copies; ++c) {
+    if (p.held[c] >= 0) continue;
     pull_[c] = right_[c] - left_[c];
-    if (p.held[c] < 0) length += direction_[c].squaredNorm();
+    length += direction_[c].squaredNorm();
   }
   for (std::size_t i = 0; i < used_.size(); ++i) {
     way_[i] = p.time_step * weightedSum(used_[i], direction_);
     addShares(used_[i], -p.time_step * (used_[i].stiffness * way_[i]), &pull_);
   }
-  for (Group& group : groups_) group.share = 1;
   return std::isfinite(length);
 }
 
 /// Lets each piece have the larger limit of its group's loose solve.
-void Newton::loosen(const StepProblem& p, const PieceNorms& norms) {
+void Newton::loosen(const PieceNorms& norms) {
   norms.squares(right_, &square_);
   group_square_.assign(groups_.size(), 0);
   for (std::size_t s = 0; s < square_.size(); ++s) group_square_[group_of_piece_[s]] += square_[s];
@@ -217,6 +229,10 @@ void Newton::trySprings(const StepProblem& p, bool on_the_way) {
 
 /// Goes each group's share of its way.
 void Newton::takeStep(const StepProblem& p, std::vector<Vec3>* dv) {
+  if (!p.couplers) {
+    for (std::size_t c = 0; c < dv->size(); ++c) (*dv)[c] += direction_[c];
+    return;
+  }
   for (std::size_t c = 0; c < alone_.size(); ++c) {
     if (p.held[c] >= 0) continue;
     const double share = groups_[p.group[c]].share;
@@ -232,7 +248,7 @@ void Newton::takeStep(const StepProblem& p, std::vector<Vec3>* dv) {
 
 /// Takes the bounds and the springs where the points are now, and compares them with what has acted.
 bool Newton::isSettled(const StepProblem& p, const PieceNorms& norms) {
-  if (stats_.solves <= MAX_BOUNDS) p.couplers->takeBounds(moved_);
+  if (stats_.solves <= MAX_BOUNDS) p.couplers->takeBounds(moved_, stats_.solves > FAST_BOUNDS ? 0.5 : 1);
   p.couplers->update(moved_);
   for (Group& group : groups_) group.largest = group.off = 0;
   for (std::size_t i = 0; i < used_.size(); ++i) {
@@ -263,6 +279,7 @@ bool Newton::isSettledAnew(const StepProblem& p, const PieceNorms& norms) {
 }
 
 double Newton::ratioLeft(PieceNorms* norms) {
+  if (used_.empty()) return norms->worstRatio(alone_);
   on_copies_.assign(alone_.size(), Vec3::Zero());
   addImpulses(impulses_, &on_copies_);
   norms->raise(on_copies_);

@@ -17,10 +17,12 @@ void PieceNorms::systemChanged(const Assembly& assembly, const SystemFactors& fa
   piece_ = piece;
   squared_scale_.assign(piece.size(), 0);
   mass_.assign(static_cast<std::size_t>(pieces), 0);
+  rounding_ = mass_;
   for (std::size_t c = 0; c < piece.size(); ++c) {
     if (held[c] >= 0) continue;
     squared_scale_[c] = 1 / diagonalOf(assembly, factors, static_cast<int>(c));
     mass_[piece[c]] += assembly.masses()[c];
+    rounding_[piece[c]] += squared_scale_[c] * assembly.forceRounding()[c] * assembly.forceRounding()[c];
   }
 }
 
@@ -29,8 +31,7 @@ void PieceNorms::squares(const std::vector<Vec3>& values, std::vector<double>* s
   for (std::size_t c = 0; c < piece_.size(); ++c) (*sums)[piece_[c]] += squared_scale_[c] * values[c].squaredNorm();
 }
 
-void PieceNorms::measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads,
-                         const std::vector<double>& rounding, double tolerance) {
+void PieceNorms::measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads, double reach, double tolerance) {
   squares(b, &measure_);
   squares(loads, &sum_);
   double whole = 0, mass = 0;
@@ -39,10 +40,10 @@ void PieceNorms::measure(const std::vector<Vec3>& b, const std::vector<Vec3>& lo
     whole += measure_[s];
     mass += mass_[s];
   }
-  sum_.assign(mass_.size(), 0);  // here: of the rounding
-  for (std::size_t c = 0; c < piece_.size(); ++c) sum_[piece_[c]] += squared_scale_[c] * rounding[c] * rounding[c];
-  for (std::size_t s = 0; s < mass_.size(); ++s)
-    measure_[s] = std::max({measure_[s], mass_[s] / mass * whole, sum_[s] / (tolerance * tolerance)});
+  for (std::size_t s = 0; s < mass_.size(); ++s) {
+    const double rounding = reach * reach * rounding_[s];
+    measure_[s] = std::max({measure_[s], mass_[s] / mass * whole, rounding / (tolerance * tolerance)});
+  }
 }
 
 void PieceNorms::raise(const std::vector<Vec3>& impulses) {

@@ -67,7 +67,7 @@ class BrokenBar : public Rig {
     std::vector<Vec3> moved;
     for (const Spring& spring : springs) moved.push_back(weightedSum(spring, ways));
     if (springs.empty()) return moved;
-    cohesion.takeBounds(spanOf(moved));
+    cohesion.takeBounds(spanOf(moved), 1);
     cohesion.update(spanOf(moved), {springs.data(), springs.data() + springs.size()});
     return moved;
   }

@@ -21,7 +21,7 @@ class Couplers {
   bool begin(const StepStart& start);
 
   /// Takes bounds, where points of the springs are displaced by `moved` [m].
-  void takeBounds(const std::vector<Vec3>& moved);
+  void takeBounds(const std::vector<Vec3>& moved, double share = 1);
   /// Gives the springs their forces and stiffnesses at these displacements [m].
   void update(const std::vector<Vec3>& moved);
 

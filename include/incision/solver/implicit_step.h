@@ -97,7 +97,6 @@ class ImplicitStep : private StepEquations {
   void findInertia();
   void rotateAhead(const Motion& motion);
   void externalImpulses(double time);
-  void findRounding();
   void prepareMatrix(bool joined);
   void prepare(LinearSolver* solver, bool new_system, bool joined);
   bool solve(double time, const Motion& motion, Couplers* couplers);
@@ -106,6 +105,7 @@ class ImplicitStep : private StepEquations {
   void keepSolver(Memory* memory) const;
   void makeFallback();
   void rotate(const std::vector<Vec3>& x);
+  void balanceMomentum(bool coupled);
   void remember();
   void giveUp();
   LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
@@ -140,9 +140,9 @@ class ImplicitStep : private StepEquations {
   StepBase base_;
   bool matrix_ready_ = false, rotated_ = false;
   const std::vector<Vec3>* start_x_ = nullptr;
+  std::vector<Vec3> off_;    // momentum of each piece [N s]
   std::vector<Vec3> given_;  // momentum that the base has got from couplers, by copy [N s]; empty: none
   std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, levers_;
-  std::vector<double> rounding_;
   std::vector<Wrench> felt_;
   StepTimes times_;
 };

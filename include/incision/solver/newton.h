@@ -53,7 +53,7 @@ struct StepProblem {
   double tolerance;                     ///< of linear solves
   const std::vector<Vec3>& ahead;       ///< how far each copy goes where Δv = 0 [m]
   const std::vector<Vec3>& loads;       ///< impulse of weight and loads on each copy [N s]
-  const std::vector<double>& rounding;  ///< of the residual at each copy [N s]
+  double reach;                         ///< Δt times the largest coordinate [m s]
   const Basis& basis;                   ///< the solution is likely near a sum of its vectors
   const std::vector<int>&piece, &held;  ///< the piece of each copy, and its clamp or −1
   const std::vector<int>& group;        ///< of each copy; springs join groups as they are taken over
@@ -97,7 +97,7 @@ class Newton {
   void guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
   bool takeSprings(const StepProblem& p);
   bool findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight);
-  void loosen(const StepProblem& p, const PieceNorms& norms);
+  void loosen(const PieceNorms& norms);
   void searchLines(const StepProblem& p);
   void trySprings(const StepProblem& p, bool on_the_way);
   void takeStep(const StepProblem& p, std::vector<Vec3>* dv);

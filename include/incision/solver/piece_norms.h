@@ -19,10 +19,9 @@ class PieceNorms {
   void squares(const std::vector<Vec3>& values, std::vector<double>* sums) const;
 
   /// Takes the measure of each piece from what acts on it [N s], by copy: the larger of what is left to solve where Δv
-  /// = 0, and of the impulse of its weight and loads. `rounding` bounds what rounding does to the residual at each
-  /// copy.
-  void measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads, const std::vector<double>& rounding,
-               double tolerance);
+  /// = 0, and of the impulse of its weight and loads. What rounding does to the residual is at most `reach` [m s], Δt
+  /// times the largest coordinate, times the assembly's bound.
+  void measure(const std::vector<Vec3>& b, const std::vector<Vec3>& loads, double reach, double tolerance);
   /// Makes the measure at least that of these impulses.
   void raise(const std::vector<Vec3>& impulses);
 
@@ -38,6 +37,7 @@ class PieceNorms {
   std::vector<int> piece_;             // of each copy
   std::vector<double> squared_scale_;  // 1/diagonal of each copy; 0: it is held
   std::vector<double> mass_;           // of each piece's free copies [kg]
+  std::vector<double> rounding_;       // squared, of each piece [N/m]
   std::vector<double> measure_, sum_;  // squared, of each piece
 };
 

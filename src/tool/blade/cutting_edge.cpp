@@ -197,7 +197,7 @@ CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, const Vec3& moved)
 }
 
 /// Friction along the edge may be as large as the force across it allows. What has been cut does not push back.
-void CuttingEdge::takeBounds(Span<const Vec3> moved) {
+void CuttingEdge::takeBounds(Span<const Vec3> moved, double share) {
   int i = 0;
   for (Station& station : stations_) {
     if (station.tissue.count == 0) continue;
@@ -207,7 +207,8 @@ void CuttingEdge::takeBounds(Span<const Vec3> moved) {
     station.is_free = trial.cuts.dot(forward) < 0;
     // The stations of the edge take what is across a tip.
     const bool drags = !station.is_free && station.outward == 0;
-    station.most_along = drags ? friction_ * trial.cuts_stiffness * trial.cuts.norm() : 0;
+    const double most = drags ? friction_ * trial.cuts_stiffness * trial.cuts.norm() : 0;
+    station.most_along += share * (most - station.most_along);
   }
 }
 

@@ -45,7 +45,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
 
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& start, std::vector<Spring>* springs) override;
-  void takeBounds(Span<const Vec3> moved) override;
+  void takeBounds(Span<const Vec3> moved, double share) override;
   void update(Span<const Vec3> moved, Span<Spring> springs) override;
   void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   bool hasOtherEnd() const override { return true; }
