@@ -64,6 +64,9 @@ class ImplicitStep : private StepEquations {
   /// A step of second order starts, as RigidPieces says: one of 2/3 `time_step`; with the rotations ahead too.
   void beginSecondOrder(double time_step, const Motion& now, const Motion& before);
 
+  /// Takes the rotations at these positions [m] instead, in the step that has begun.
+  void rotate(const std::vector<Vec3>& x);
+
   /// Takes the step that has begun, at `time` [s], under the couplers where there are any; these must have begun it
   /// too. Returns false, with the motion and the memory as they were, when the system cannot be factorised or a value
   /// is not finite.
@@ -104,7 +107,6 @@ class ImplicitStep : private StepEquations {
   void findWrenches(const Couplers& couplers, const Motion& start);
   void keepSolver(Memory* memory) const;
   void makeFallback();
-  void rotate(const std::vector<Vec3>& x);
   void balanceMomentum(bool coupled);
   void remember();
   void giveUp();

@@ -26,12 +26,20 @@ Values beyond(const Values& a, double s, const Values& b) {
 
 Motion beyond(const Motion& a, double s, const Motion& b) { return {beyond(a.x, s, b.x), beyond(a.v, s, b.v)}; }
 
+/// A step of implicit Euler with the rotations at these positions.
+bool advanceTurned(double time, double time_step, const Values& turned, ImplicitStep* step, Motion* motion) {
+  step->begin(time_step, *motion);
+  step->rotate(turned);
+  return step->advance(time, motion);
+}
+
 }  // namespace
 
 Scheme eulerScheme() {
   return {"implicit Euler", [] {
             return [](double time, double time_step, ImplicitStep* step, Motion* motion) {
-              return step->advance(time, time_step, motion);
+              step->begin(time_step, *motion);
+              return step->advance(time, motion);
             };
           }};
 }
@@ -49,11 +57,12 @@ Scheme newtonScheme(int iterations) {
   return {"Euler, " + std::to_string(iterations) + " Newton iterations", [iterations] {
             return [iterations](double time, double time_step, ImplicitStep* step, Motion* motion) {
               const Motion start = *motion;
-              if (!step->advance(time, time_step, motion)) return false;
+              step->begin(time_step, *motion);
+              if (!step->advance(time, motion)) return false;
               for (int k = 1; k < iterations; ++k) {
                 const Values end = motion->x;
                 *motion = start;
-                if (!step->advance(time, time_step, motion, {}, &end)) return false;
+                if (!advanceTurned(time, time_step, end, step, motion)) return false;
               }
               return true;
             };
@@ -65,7 +74,7 @@ Scheme midpointScheme() {
             return [](double time, double time_step, ImplicitStep* step, Motion* motion) {
               const Motion start = *motion;
               const Values middle = sum(start.x, time_step / 2, start.v);
-              if (!step->advance(time, time_step / 2, motion, {}, &middle)) return false;
+              if (!advanceTurned(time, time_step / 2, middle, step, motion)) return false;
               *motion = beyond(start, 2, *motion);
               return true;
             };
@@ -78,11 +87,11 @@ Scheme sdirk2Scheme() {
               const double gamma = 1 - std::sqrt(0.5), h = gamma * time_step;
               const Motion start = *motion;
               const Values first = sum(start.x, h, start.v);
-              if (!step->advance(time, h, motion, {}, &first)) return false;
+              if (!advanceTurned(time, h, first, step, motion)) return false;
               const Values v = beyond(start.v, 1 / gamma, motion->v);
               *motion = beyond(start, (1 - gamma) / gamma, *motion);
               const Values second = sum(motion->x, h, v);
-              return step->advance(time + time_step - h, h, motion, {}, &second);
+              return advanceTurned(time + time_step - h, h, second, step, motion);
             };
           }};
 }
