@@ -9,16 +9,12 @@
 namespace incision {
 namespace {
 
-constexpr int MODES = 6;
-
 /// Added to the unit diagonal of the coarse matrix: the blocks it is summed from are floats, and an aggregate of a few
 /// copies may not tell all rotations apart.
 constexpr double REGULARISATION = 1e-7;
 
 /// Where that does not make it positive definite more is added, up to here; then the level is left out.
 constexpr double MAX_REGULARISATION = 1e-2;
-
-Mat3 crossMatrix(const Vec3& a) { return (Mat3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished(); }
 
 }  // namespace
 
@@ -164,10 +160,10 @@ void CoarseSpace::findEnds(const CoupledRows& springs) {
       Span<CoarseEnd> ends = ends_.unfinished();
       int at = 0;
       while (at < ends.size() && ends[at].aggregate != a) ++at;
-      if (at == ends.size()) ends_.append({a, c, 0, Vec3::Zero()});
+      if (at == ends.size()) ends_.append({a, c, {0, Vec3::Zero()}});
       CoarseEnd& end = ends_.unfinished()[at];
-      end.a += g * arm_[row].w();
-      end.b += g * arm_[row].head<3>().cast<double>();
+      end.seen.a += g * arm_[row].w();
+      end.seen.b += g * arm_[row].head<3>().cast<double>();
     }
     ends_.finish();
   }
@@ -205,16 +201,8 @@ void CoarseSpace::addSprings(int I, const CoupledRows& springs) {
     const CoarseEnd& end = ends_.values()[e];
     const int c = end.spring;
     const Mat3 K = springs.stiffness(c).topRows<3>().cast<double>();
-    const Mat3 shift = end.a * K, turn = crossMatrix(end.b) * K;
-    for (const CoarseEnd& other : ends_[c]) {
-      if (other.aggregate > I) continue;
-      const Mat3 arms = crossMatrix(other.b);
-      CoarseBlock& block = coarse_blocks_[blockAt(I, other.aggregate)];
-      block.topLeftCorner<3, 3>() += other.a * shift;
-      block.topRightCorner<3, 3>() -= shift * arms;
-      block.bottomLeftCorner<3, 3>() += other.a * turn;
-      block.bottomRightCorner<3, 3>() -= turn * arms;
-    }
+    for (const CoarseEnd& other : ends_[c])
+      if (other.aggregate <= I) addModes(K, end.seen, other.seen, &coarse_blocks_[blockAt(I, other.aggregate)]);
   }
 }
 

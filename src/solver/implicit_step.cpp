@@ -105,7 +105,7 @@ const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& mot
   time_step_ = time_step;
   rigid_.euler(assembly_, motion, time_step, &base_);
   rotate(base_.x);
-  findAhead(motion);
+  findAhead(motion.x);
   findInertia();
   return ahead_;
 }
@@ -113,7 +113,7 @@ const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& mot
 /// Finds the base of the first step of second order, and the rotations where it goes.
 void ImplicitStep::rotateAhead(const Motion& motion) {
   rigid_.firstOfSecondOrder(assembly_, motion, time_step_, &base_);
-  findAhead(motion);
+  findAhead(motion.x);
   y_.resize(ahead_.size());
   for (std::size_t c = 0; c < ahead_.size(); ++c) y_[c] = motion.x[c] + ahead_[c];
   rotate(y_);
@@ -153,14 +153,14 @@ void ImplicitStep::beginSecondOrder(double time_step, const Motion& now, const M
   rotateAhead(now);
   time_step_ = 2 * time_step / 3;
   rigid_.secondOrder(assembly_, now, before, time_step, &base_);
-  findAhead(now);
+  findAhead(now.x);
   findInertia();
 }
 
-void ImplicitStep::findAhead(const Motion& motion) {
-  ahead_.resize(motion.x.size());
-  y_.resize(motion.x.size());
-  for (std::size_t c = 0; c < ahead_.size(); ++c) ahead_[c] = base_.x[c] - motion.x[c] + time_step_ * base_.u[c];
+/// Seen from where the copies are at the step's start.
+void ImplicitStep::findAhead(const std::vector<Vec3>& start) {
+  ahead_.resize(start.size());
+  for (std::size_t c = 0; c < ahead_.size(); ++c) ahead_[c] = base_.x[c] - start[c] + time_step_ * base_.u[c];
 }
 
 bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
@@ -330,10 +330,7 @@ int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>&
 
 void ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
   rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_);
-  for (std::size_t c = 0; c < ahead_.size(); ++c) {
-    ahead_[c] = base_.x[c] - (*start_x_)[c] + time_step_ * base_.u[c];
-    if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
-  }
+  findAhead(*start_x_);
   rotate(base_.x);
 }
 

@@ -20,10 +20,6 @@ constexpr double MIN_PROGRESS = 0.3;
 /// in circles even so the last ones stay: with these there is a minimum, at which no energy comes in.
 constexpr int FAST_BOUNDS = 8, MAX_BOUNDS = 25;
 
-/// A line search ends where less than this share of the slope at its start is left, or after so many trials.
-constexpr double SEARCH_TOLERANCE = 0.05;
-constexpr int MAX_SEARCH = 20;
-
 }  // namespace
 
 bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv) {
@@ -58,7 +54,7 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
       // What float has lost, a fresh residual finds; where it does not, a direct solver may.
       const bool finite = std::isfinite(stats_.residual);
       if (!done && (same_springs || !finite) && !(stats_.residual < MIN_PROGRESS * before)) {
-        if (!p.equations->fallBack(used_)) break;
+        if (!p.equations->fallBack(used_)) return false;
         if (!finite) startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
       }
       before = stats_.residual;
@@ -66,8 +62,6 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     if (!last_springs) before = std::numeric_limits<double>::infinity();
     same_springs = tight = last_springs;
   }
-  stats_.converged = false;
-  return false;
 }
 
 /// Where nothing drives the body on from Δv = 0 there is nothing to solve.
@@ -86,12 +80,11 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     place(p, *dv);
     p.couplers->takeBounds(moved_);
     p.couplers->update(moved_);
-    for (std::size_t i = 0; i < used_.size(); ++i) impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
+    findImpulses(p);
+    shareImpulses();
   }
-  on_copies_.assign(alone_.size(), Vec3::Zero());
-  addImpulses(impulses_, &on_copies_);
   right_ = alone_;
-  addImpulses(impulses_, &right_);
+  for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], impulses_[i], &right_);
   stats_.residual = norms->worstRatio(right_);
 }
 
@@ -112,9 +105,8 @@ void Newton::place(const StepProblem& p, const std::vector<Vec3>& dv) {
 /// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be.
 void Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
   rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
-  for (std::size_t i = 0; i < used_.size(); ++i) impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
-  on_copies_.assign(alone_.size(), Vec3::Zero());
-  addImpulses(impulses_, &on_copies_);
+  findImpulses(p);
+  shareImpulses();
   p.equations->rebase(on_copies_);
   p.equations->residual(*dv, &alone_);
   place(p, *dv);
@@ -177,7 +169,7 @@ void Newton::loosen(const PieceNorms& norms) {
 }
 
 /// Where the springs at the end of the direction drive a group back, it has gone too far: finds the point between at
-/// which they drive it nowhere along the line, by Newton's method within an interval that closes in on it.
+/// which they drive it nowhere along the line.
 void Newton::searchLines(const StepProblem& p) {
   for (Group& group : groups_) group = Group();
   for (std::size_t c = 0; c < alone_.size(); ++c) {
@@ -194,17 +186,16 @@ void Newton::searchLines(const StepProblem& p) {
     group.searches = group.here < 0 && group.at_start > 0;
     any = any || group.searches;
   }
-  for (int k = 0; any && k < MAX_SEARCH; ++k) {
+  for (int k = 0; any && k < LineSearch::MOST; ++k) {
     any = false;
     for (Group& group : groups_) {
       if (!group.searches) continue;
-      (group.here > 0 ? group.near : group.far) = group.share;
-      const double newton = group.share + group.here / group.bend;
-      group.share = newton > group.near && newton < group.far ? newton : (group.near + group.far) / 2;
+      group.search.goOn(group.here, group.bend);
+      group.share = group.search.share();
     }
     trySprings(p, true);
     for (Group& group : groups_) {
-      group.searches = group.searches && std::abs(group.here) > SEARCH_TOLERANCE * group.at_start;
+      group.searches = group.searches && !LineSearch::isNear(group.here, group.at_start);
       any = any || group.searches;
     }
   }
@@ -278,18 +269,23 @@ bool Newton::isSettledAnew(const StepProblem& p, const PieceNorms& norms) {
   return isSettled(p, norms);
 }
 
+/// What the springs do where they are now.
+void Newton::findImpulses(const StepProblem& p) {
+  for (std::size_t i = 0; i < used_.size(); ++i) impulses_[i] = p.time_step * p.couplers->springs()[i].at(moved_[i]);
+}
+
+void Newton::shareImpulses() {
+  on_copies_.assign(alone_.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], impulses_[i], &on_copies_);
+}
+
 double Newton::ratioLeft(PieceNorms* norms) {
   if (used_.empty()) return norms->worstRatio(alone_);
-  on_copies_.assign(alone_.size(), Vec3::Zero());
-  addImpulses(impulses_, &on_copies_);
+  shareImpulses();
   norms->raise(on_copies_);
   right_.resize(alone_.size());
   for (std::size_t c = 0; c < right_.size(); ++c) right_[c] = alone_[c] + on_copies_[c];
   return norms->worstRatio(right_);
-}
-
-void Newton::addImpulses(const std::vector<Vec3>& impulses, std::vector<Vec3>* sums) const {
-  for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], impulses[i], sums);
 }
 
 /// That of its first copy which is not held; where all are, it moves nothing.

@@ -3,36 +3,29 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "incision/solver/line_search.h"
+#include "incision/solver/rigid_modes.h"
 
 namespace incision {
 namespace {
-
-constexpr int MODES = 6;
 
 /// Newton steps at most, and how good the guess need be: a spring's force may still change by this share of the
 /// largest.
 constexpr int MAX_STEPS = 100;
 constexpr double GOOD_ENOUGH = 1e-2;
 
-/// A line search ends where less than this share of the slope at its start is left, or after so many trials.
-constexpr double SEARCH_TOLERANCE = 0.05;
-constexpr int MAX_SEARCH = 20;
-
 using Block = Eigen::Matrix<double, MODES, MODES>;
 using Motions = Eigen::VectorXd;  // of each piece its velocity [m/s], and its rate of turning [1/s]
 
-Mat3 crossMatrix(const Vec3& a) { return (Mat3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished(); }
-
-/// What a spring sees of a piece's rigid motions: [a 1 | −[b]×].
+/// What a spring sees of a piece's rigid motions.
 struct End {
   int piece;  // among those that springs act on
-  double a;
-  Vec3 b;
+  ModesSeen seen;
 
   Vec3 wayOf(const Motions& q) const {
-    return a * q.segment<3>(MODES * piece) + q.segment<3>(MODES * piece + 3).cross(b);
+    return seen.a * q.segment<3>(MODES * piece) + q.segment<3>(MODES * piece + 3).cross(seen.b);
   }
 };
 
@@ -87,7 +80,7 @@ void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std
   if (w.piece.empty()) return;
   for (std::size_t c = 0; c < x.size(); ++c) {
     const int piece = rigid.pieceOf(c), number = w.number[static_cast<std::size_t>(piece)];
-    if (number >= 0) (*dv)[c] += End{number, 1, x[c] - rigid.centreOf(piece)}.wayOf(w.q);
+    if (number >= 0) (*dv)[c] += End{number, {1, x[c] - rigid.centreOf(piece)}}.wayOf(w.q);
   }
 }
 
@@ -109,10 +102,10 @@ void RigidGuess::Work::findEnds(const RigidPieces& rigid, const std::vector<Vec3
       const Span<End> known = ends.unfinished();
       int at = 0;
       while (at < known.size() && known[at].piece != n) ++at;
-      if (at == known.size()) ends.append({n, 0, Vec3::Zero()});
+      if (at == known.size()) ends.append({n, {0, Vec3::Zero()}});
       End& end = ends.unfinished()[at];
-      end.a += spring.weights[k];
-      end.b += spring.weights[k] * (x[copy] - rigid.centreOf(of_copy));
+      end.seen.a += spring.weights[k];
+      end.seen.b += spring.weights[k] * (x[copy] - rigid.centreOf(of_copy));
     }
     ends.finish();
   }
@@ -187,17 +180,12 @@ bool RigidGuess::Work::findStep(double time_step, const std::vector<Spring>& spr
     const Mat3 K = time_step * time_step * springs[i].stiffness;
     const int* block = std::as_const(blocks_of)[static_cast<int>(i)].begin();
     for (int k = 0; k < list.size(); ++k) {
-      right.segment<3>(MODES * list[k].piece) += list[k].a * impulse;
-      right.segment<3>(MODES * list[k].piece + 3) += list[k].b.cross(impulse);
+      right.segment<3>(MODES * list[k].piece) += list[k].seen.a * impulse;
+      right.segment<3>(MODES * list[k].piece + 3) += list[k].seen.b.cross(impulse);
       for (int l = 0; l <= k && springs[i].isStiff(); ++l, ++block) {
         const bool swapped = list[k].piece < list[l].piece;
         const End &row = list[swapped ? l : k], &column = list[swapped ? k : l];
-        const Mat3 turn = crossMatrix(row.b) * K, arms = crossMatrix(column.b);
-        Block& sum = blocks[static_cast<std::size_t>(*block)];
-        sum.topLeftCorner<3, 3>() += row.a * column.a * K;
-        sum.topRightCorner<3, 3>() -= row.a * K * arms;
-        sum.bottomLeftCorner<3, 3>() += column.a * turn;
-        sum.bottomRightCorner<3, 3>() -= turn * arms;
+        addModes(K, row.seen, column.seen, &blocks[static_cast<std::size_t>(*block)]);
       }
     }
   }
@@ -242,14 +230,12 @@ double RigidGuess::Work::searchLine(Couplers* couplers, const std::vector<Vec3>&
   const double at_start = slopeAt(0);
   double here = slopeAt(1);
   if (!(here < 0)) return 1;
-  double near = 0, far = 1, share = 1;
-  for (int k = 0; k < MAX_SEARCH && std::abs(here) > SEARCH_TOLERANCE * at_start; ++k) {
-    (here > 0 ? near : far) = share;
-    const double newton = share + here / bend;
-    share = newton > near && newton < far ? newton : (near + far) / 2;
-    here = slopeAt(share);
+  LineSearch search;
+  for (int k = 0; k < LineSearch::MOST && !LineSearch::isNear(here, at_start); ++k) {
+    search.goOn(here, bend);
+    here = slopeAt(search.share());
   }
-  return share;
+  return search.share();
 }
 
 bool RigidGuess::Work::isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved) const {

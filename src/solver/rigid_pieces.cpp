@@ -48,18 +48,18 @@ void RigidPieces::topologyChanged(const std::vector<int>& piece, int pieces, con
 
 /// L and J are those of the masses of the equation: of the lumped ones, or of the consistent matrix M, where L = Σ r ×
 /// (M v) and J = Σ (r · q) 1 − q rᵀ with q = M r.
-void RigidPieces::measure(const Assembly& assembly, const Motion& motion, std::vector<Body>* bodies) {
+void RigidPieces::measure(const Assembly& assembly, const Motion& motion) {
   const std::vector<double>& masses = assembly.masses();
-  bodies->assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero()});
+  bodies_.assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero()});
   const std::size_t copies = motion.x.size();
   for (std::size_t c = 0; c < copies; ++c) {
     if (!isFree(c)) continue;
-    Body& body = (*bodies)[static_cast<std::size_t>(piece_[c])];
+    Body& body = bodies_[static_cast<std::size_t>(piece_[c])];
     body.mass += masses[c];
     body.centre += masses[c] * motion.x[c];
     body.velocity += masses[c] * motion.v[c];
   }
-  for (Body& body : *bodies)
+  for (Body& body : bodies_)
     if (body.mass > 0) {
       body.centre /= body.mass;
       body.velocity /= body.mass;
@@ -71,7 +71,7 @@ void RigidPieces::measure(const Assembly& assembly, const Motion& motion, std::v
   }
   for (std::size_t c = 0; c < copies; ++c) {
     if (!isFree(c)) continue;
-    Body& body = (*bodies)[static_cast<std::size_t>(piece_[c])];
+    Body& body = bodies_[static_cast<std::size_t>(piece_[c])];
     const Vec3 r = motion.x[c] - body.centre;
     const Vec3 p = (consistent ? mass_v_[c] : Vec3(masses[c] * motion.v[c])) - masses[c] * body.velocity;
     const Vec3 q = consistent ? Vec3(mass_x_[c] - masses[c] * body.centre) : Vec3(masses[c] * r);
@@ -104,9 +104,9 @@ RigidPieces::Turn RigidPieces::turnOf(const Body& body, double time_step) {
   return turn;
 }
 
-void RigidPieces::findTurns(const std::vector<Body>& bodies, double time_step, std::vector<Turn>* turns) {
+void RigidPieces::findTurns(double time_step, std::vector<Turn>* turns) const {
   turns->clear();
-  for (const Body& body : bodies) turns->push_back(turnOf(body, time_step));
+  for (const Body& body : bodies_) turns->push_back(turnOf(body, time_step));
 }
 
 void RigidPieces::euler(const Assembly& assembly, const Motion& motion, double time_step, StepBase* base) {
@@ -115,17 +115,25 @@ void RigidPieces::euler(const Assembly& assembly, const Motion& motion, double t
   base->v.assign(motion.x.size(), Vec3::Zero());
   time_step_ = time_step;
   if (!any_free_) return;
-  measure(assembly, motion, &bodies_);
-  findTurns(bodies_, time_step, &turns_);
+  measure(assembly, motion);
+  findTurns(time_step, &turns_);
   for (std::size_t c = 0; c < motion.x.size(); ++c) {
     if (!isFree(c)) continue;
     const Body& body = bodies_[static_cast<std::size_t>(piece_[c])];
     const Turn& turn = turns_[static_cast<std::size_t>(piece_[c])];
-    const Vec3 r = motion.x[c] - body.centre, Qr = turn.rotation * r;
-    base->x[c] = body.centre + time_step * body.velocity + Qr;
-    base->v[c] = body.velocity + turn.ends.cross(Qr);
-    base->u[c] = turn.rotation * (motion.v[c] - body.velocity - turn.rate.cross(r));
+    moveAlong(c, motion.x[c], base);
+    base->u[c] = turn.rotation * (motion.v[c] - body.velocity - turn.rate.cross(motion.x[c] - body.centre));
   }
+}
+
+/// Finds x̂ and v̂ of a copy that is at `x` when the step starts. Returns its arm Q r at the step's end.
+Vec3 RigidPieces::moveAlong(std::size_t copy, const Vec3& x, StepBase* base) const {
+  const Body& body = bodies_[static_cast<std::size_t>(piece_[copy])];
+  const Turn& turn = turns_[static_cast<std::size_t>(piece_[copy])];
+  const Vec3 Qr = turn.rotation * (x - body.centre);
+  base->x[copy] = body.centre + time_step_ * body.velocity + Qr;
+  base->v[copy] = body.velocity + turn.ends.cross(Qr);
+  return Qr;
 }
 
 void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses,
@@ -139,7 +147,8 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
     kick.momentum += impulses[c];
     kick.spin += (x[c] - bodies_[static_cast<std::size_t>(piece_[c])].centre).cross(impulses[c]);
   }
-  turns_before_ = turns_;
+  std::vector<Turn>& without = kicked_turns_;
+  without = turns_;
   for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
     Kick& kick = kicks_[piece];
     if (!kick.is_coupled) continue;
@@ -147,20 +156,15 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
     kick.velocity = kick.momentum / body.mass;
     body.velocity += kick.velocity;
     body.spin += kick.spin;
-    Turn& turn = turns_[piece];
-    turn = turnOf(body, time_step_);
-    kick.rate = turn.rotation * (turn.inverse_inertia * (turn.rotation.transpose() * kick.spin));
+    turns_[piece] = turnOf(body, time_step_);
+    kick.rate = turns_[piece].rateOf(kick.spin);
   }
   for (std::size_t c = 0; c < x.size(); ++c) {
     const auto piece = static_cast<std::size_t>(piece_[c]);
     const Kick& kick = kicks_[piece];
     if (!kick.is_coupled) continue;
-    const Body& body = bodies_[piece];
-    const Turn& turn = turns_[piece];
-    const Vec3 Qr = turn.rotation * (x[c] - body.centre);
-    base->x[c] = body.centre + time_step_ * body.velocity + Qr;
-    base->v[c] = body.velocity + turn.ends.cross(Qr);
-    base->u[c] = turn.rotation * (turns_before_[piece].rotation.transpose() * base->u[c]);
+    const Vec3 Qr = moveAlong(c, x[c], base);
+    base->u[c] = turns_[piece].rotation * (without[piece].rotation.transpose() * base->u[c]);
     (*given)[c] = kick.velocity + kick.rate.cross(Qr);
   }
   if (assembly.consistentMass()) {
@@ -178,14 +182,13 @@ void RigidPieces::finish(const Assembly& assembly, const StepBase& base, const s
   for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
     Kick& kick = kicks_[piece];
     if (!kick.is_coupled) continue;
-    const Body& body = bodies_[piece];
-    const Turn& turn = turns_[piece];
+    Body& body = kicked_[piece];
+    body = bodies_[piece];
     kick.velocity = kick.momentum / body.mass;
-    kick.rate = turn.rotation * (turn.inverse_inertia * (turn.rotation.transpose() * kick.spin));
-    before_[piece] = body;
-    before_[piece].velocity += kick.velocity;
-    before_[piece].spin += kick.spin + kick.at_start - kick.at_end;
-    turns_before_[piece] = turnOf(before_[piece], h);
+    kick.rate = turns_[piece].rateOf(kick.spin);
+    body.velocity += kick.velocity;
+    body.spin += kick.spin + kick.at_start - kick.at_end;
+    kicked_turns_[piece] = turnOf(body, h);
   }
   for (std::size_t c = 0; c < dv.size(); ++c) {
     const auto piece = static_cast<std::size_t>(piece_[c]);
@@ -195,8 +198,8 @@ void RigidPieces::finish(const Assembly& assembly, const StepBase& base, const s
       motion->x[c] = base.x[c] + h * (base.u[c] + dv[c]);
       continue;
     }
-    const Body& body = before_[piece];
-    const Turn& turn = turns_before_[piece];
+    const Body& body = kicked_[piece];
+    const Turn& turn = kicked_turns_[piece];
     const Vec3 Qr = turn.rotation * (motion->x[c] - body.centre);
     const Vec3 arm = base.x[c] - centreOf(static_cast<int>(piece));
     const Vec3 beside = base.u[c] + dv[c] - kick.velocity - kick.rate.cross(arm);
@@ -212,8 +215,8 @@ void RigidPieces::findKicks(const Assembly& assembly, const StepBase& base, cons
   if (!any_free_) return;
   for (std::size_t c = 0; c < dv.size(); ++c)
     if (isFree(c) && !impulses[c].isZero(0)) kicks_[static_cast<std::size_t>(piece_[c])].is_coupled = true;
-  before_.resize(free_.size());
-  turns_before_.resize(free_.size());
+  kicked_.resize(free_.size());
+  kicked_turns_.resize(free_.size());
   if (assembly.consistentMass()) assembly.multiplyMass(dv, &mass_v_);
   for (std::size_t c = 0; c < dv.size(); ++c) {
     Kick& kick = kicks_[static_cast<std::size_t>(piece_[c])];
@@ -248,9 +251,9 @@ void RigidPieces::secondOrder(const Assembly& assembly, const Motion& now, const
   base->u.resize(copies);
   base->v.assign(copies, Vec3::Zero());
   if (any_free_) {
-    measure(assembly, now, &bodies_);
-    findTurns(bodies_, time_step, &turns_);
-    findTurns(bodies_, -time_step, &turns_before_);
+    measure(assembly, now);
+    findTurns(time_step, &turns_);
+    findTurns(-time_step, &turns_back_);
   }
   for (std::size_t c = 0; c < copies; ++c) {
     if (!isFree(c)) {
@@ -260,7 +263,7 @@ void RigidPieces::secondOrder(const Assembly& assembly, const Motion& now, const
     }
     const auto piece = static_cast<std::size_t>(piece_[c]);
     const Body& body = bodies_[piece];
-    const Turn &turn = turns_[piece], &back = turns_before_[piece];
+    const Turn &turn = turns_[piece], &back = turns_back_[piece];
     const Mat3& Q = turn.rotation;
     const Vec3 r = now.x[c] - body.centre, r_before = before.x[c] - body.centre + time_step * body.velocity;
     const Vec3 w = now.v[c] - body.velocity - turn.rate.cross(r);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "support/contacts.h"
-#include "support/rig.h"
 #include "support/sanitized.h"
 
 namespace incision::test {
@@ -20,12 +19,9 @@ struct Ensemble {
   std::vector<int> solves;
 
   void run(unsigned seed, int count) {
-    Scene scene = blockAbove(0, {3, 3, 3}, Vec3(0, 0, 0.001));
-    scene.body.material = {young_modulus, 0.3, 1000, 0, 0};
+    Scene scene = fallingToPieces(young_modulus, 3, 4, seed);
     scene.solver = {time_step, Method::AUTO, 1e-6, 1};
     scene.contact->friction = friction;
-    const std::vector<Vec3> points = randomVectors(4, 0.03, seed), normals = randomVectors(4, 1, seed + 100);
-    for (int k = 0; k < 4; ++k) scene.cuts.push_back({0, plane(Vec3::Constant(1.5 * ELEMENT) + points[k], normals[k])});
     DeformableBody body(scene, loadMesh(scene));
     const double whole = energyOf(body, 0);
     double last = whole;

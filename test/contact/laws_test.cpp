@@ -141,18 +141,6 @@ TEST(Contact, LetsAStackOfThreeCutPiecesStand) {
   EXPECT_LT(fastest(body), 1e-4);
 }
 
-/// A block above the ground that falls apart along random planes.
-Scene fallingToPieces(double young_modulus, int cells, int planes, unsigned seed) {
-  Scene scene = blockAbove(0, {cells, cells, cells}, Vec3(0, 0, 0.001));
-  scene.body.material = {young_modulus, 0.3, 1000, 0, 0};
-  scene.solver.time_step = 0.01;
-  scene.contact->friction = 0;
-  const std::vector<Vec3> points = randomVectors(planes, 0.03, seed), normals = randomVectors(planes, 1, seed + 100);
-  for (int k = 0; k < planes; ++k)
-    scene.cuts.push_back({0, plane(Vec3::Constant(cells * ELEMENT / 2) + points[k], normals[k])});
-  return scene;
-}
-
 /// Energies of a body that touches itself and the ground [J].
 struct Energies {
   explicit Energies(const DeformableBody& body, double springs = 0) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "incision/body/deformable_body.h"
+#include "support/rig.h"
 #include "support/scenes.h"
 
 namespace incision::test {
@@ -21,6 +22,18 @@ inline Scene blockAbove(double ground, const std::array<int, 3>& cells, const Ve
 
 /// An element of such a block [m].
 inline constexpr double ELEMENT = 0.05;
+
+/// A block above the ground that falls apart along random planes.
+inline Scene fallingToPieces(double young_modulus, int cells, int planes, unsigned seed) {
+  Scene scene = blockAbove(0, {cells, cells, cells}, Vec3(0, 0, 0.001));
+  scene.body.material = {young_modulus, 0.3, 1000, 0, 0};
+  scene.solver.time_step = 0.01;
+  scene.contact->friction = 0;
+  const std::vector<Vec3> points = randomVectors(planes, 0.03, seed), normals = randomVectors(planes, 1, seed + 100);
+  for (int k = 0; k < planes; ++k)
+    scene.cuts.push_back({0, plane(Vec3::Constant(cells * ELEMENT / 2) + points[k], normals[k])});
+  return scene;
+}
 
 /// A link "thing" with one collision shape, such as "<sphere radius='1'/>", at `xyz` and turned by `rpy`.
 inline std::string urdfOf(const std::string& shape, const std::string& xyz = "0 0 0",

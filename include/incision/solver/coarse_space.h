@@ -7,6 +7,7 @@
 #include "incision/fem/block_matrix.h"
 #include "incision/solver/aggregates.h"
 #include "incision/solver/coupled_rows.h"
+#include "incision/solver/rigid_modes.h"
 #include "incision/solver/sparse_cholesky.h"
 
 namespace incision {
@@ -41,13 +42,12 @@ class CoarseSpace {
   }
 
  private:
-  using CoarseBlock = Eigen::Matrix<double, 6, 6>;
+  using CoarseBlock = Eigen::Matrix<double, MODES, MODES>;
 
-  /// What a spring sees of an aggregate's modes: Σ_i g_i Q_i = [a 1 | −[b]×] over its rows there.
+  /// What a spring sees of an aggregate's modes: Σ_i g_i Q_i over its rows there.
   struct CoarseEnd {
     int aggregate, spring;
-    double a;
-    Vec3 b;
+    ModesSeen seen;
   };
 
   void findBlocks();

@@ -96,7 +96,7 @@ class ImplicitStep : private StepEquations {
   void rebase(const std::vector<Vec3>& impulses) override;
   bool fallBack(const std::vector<Spring>& springs) override;
 
-  void findAhead(const Motion& motion);
+  void findAhead(const std::vector<Vec3>& start);
   void findInertia();
   void rotateAhead(const Motion& motion);
   void externalImpulses(double time);

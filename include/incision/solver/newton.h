@@ -4,6 +4,7 @@
 
 #include "incision/solver/couplers.h"
 #include "incision/solver/first_guess.h"
+#include "incision/solver/line_search.h"
 #include "incision/solver/piece_norms.h"
 #include "incision/solver/rigid_guess.h"
 
@@ -15,7 +16,6 @@ struct SolveStats {
   int solves = 0;      ///< Newton steps; 0 where there was nothing to solve
   /// What is left over what acts, as PieceNorms measures it, reckoned in double from the forces.
   double residual = 0;
-  bool converged = true;  ///< the linear solves reached the tolerance
   /// One more Newton step would change no spring's force by more than 1e-3 of the largest in its group of pieces.
   bool settled = true;
 };
@@ -57,8 +57,8 @@ struct StepProblem {
   const Basis& basis;                   ///< the solution is likely near a sum of its vectors
   const std::vector<int>&piece, &held;  ///< the piece of each copy, and its clamp or −1
   const std::vector<int>& group;        ///< of each copy; springs join groups as they are taken over
-  const RigidPieces& rigid;
-  const std::vector<Vec3>& x;
+  const RigidPieces& rigid;             ///< the pieces as rigid bodies, and
+  const std::vector<Vec3>& x;           ///< where their motion alone takes the copies [m]
 };
 
 /// Finds the Δv at which the forces of the body and of its couplers balance: the minimum of a convex function of Δv as
@@ -84,7 +84,8 @@ class Newton {
   /// Springs act within groups, so each goes its own share of the way.
   struct Group {
     double slope = 0, curvature = 0;  // of the body alone, along the direction from its start
-    double share = 1, near = 0, far = 1;
+    double share = 1;
+    LineSearch search;
     double at_start = 0, here = 0, bend = 0;  // slopes of all, at the start and at the share; and how it bends there
     bool searches = false;
     double largest = 0, off = 0;  // squares [N²]: of the largest force, of the largest difference
@@ -103,8 +104,9 @@ class Newton {
   void takeStep(const StepProblem& p, std::vector<Vec3>* dv);
   bool isSettled(const StepProblem& p, const PieceNorms& norms);
   bool isSettledAnew(const StepProblem& p, const PieceNorms& norms);
+  void findImpulses(const StepProblem& p);
+  void shareImpulses();
   double ratioLeft(PieceNorms* norms);
-  void addImpulses(const std::vector<Vec3>& impulses, std::vector<Vec3>* sums) const;
   static int groupOf(const StepProblem& p, const Spring& spring);
 
   SolveStats stats_;

@@ -79,6 +79,9 @@ class RigidPieces {
     Vec3 rate, ends;       // ω at its start and at its end [1/s]
     Vec3 change;           // dω/dt at its end [1/s²]
 
+    /// What a spin L adds to the rate at its end [1/s].
+    Vec3 rateOf(const Vec3& spin) const { return rotation * (inverse_inertia * (rotation.transpose() * spin)); }
+
     /// What its frame accelerates a point by that is at r and moves by w in it, at its end [m/s²].
     Vec3 accelerationAt(const Vec3& r, const Vec3& w) const {
       return change.cross(r) + ends.cross(ends.cross(r) + 2 * w);
@@ -94,18 +97,20 @@ class RigidPieces {
     Vec3 velocity = Vec3::Zero(), rate = Vec3::Zero();  // rigid part of Δv at x̂
   };
 
-  void measure(const Assembly& assembly, const Motion& motion, std::vector<Body>* bodies);
+  Vec3 moveAlong(std::size_t copy, const Vec3& x, StepBase* base) const;
+  void measure(const Assembly& assembly, const Motion& motion);
   void findKicks(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x);
   static Turn turnOf(const Body& body, double time_step);
-  static void findTurns(const std::vector<Body>& bodies, double time_step, std::vector<Turn>* turns);
+  void findTurns(double time_step, std::vector<Turn>* turns) const;
 
   std::vector<int> piece_;  // of each copy
   std::vector<char> free_;  // of each piece
   bool any_free_ = false;
   double time_step_ = 0;
-  std::vector<Body> bodies_, before_;  // of each piece
-  std::vector<Turn> turns_, turns_before_;
+  // Of each piece: as the base has it, as it is with all that couplers do, and turning backwards.
+  std::vector<Body> bodies_, kicked_;
+  std::vector<Turn> turns_, kicked_turns_, turns_back_;
   std::vector<Vec3> mass_x_, mass_v_;  // M x, M v, where the mass is consistent
   std::vector<Kick> kicks_;
 };
