@@ -71,9 +71,9 @@ struct DeformableBody::State {
 
   // A step.
   void fracture();
-  bool advance(const StepSpan& span, double time);
+  bool advance();
+  bool advance(const StepSpan& span, double time, StepDemand demand);
   bool advanceFreely(double time, double time_step);
-  bool advanceInHalves(double time, double time_step);
   void endTools();
   void fillResult(StepResult* result);
 
@@ -112,7 +112,10 @@ struct DeformableBody::State {
   Couplers couplers;
   BodyDoor door;
   Reports reports;         // of what has happened and nobody has taken yet
-  double couplers_ms = 0;  // to find what may act in the step
+  // Of the step, all its parts and those tried in vain included:
+  double couplers_ms = 0;  // to find what may act in it
+  StepTimes times;
+  SolveStats solved;
   BodyMemory at_start;
 };
 

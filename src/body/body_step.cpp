@@ -1,8 +1,8 @@
 #include "body_state.h"
 #include "incision/base/input_error.h"
+#include "incision/solver/step_in_parts.h"
 
 namespace incision {
-
 /// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
 void DeformableBody::State::fracture() {
   if (fractured_steps > steps) return;
@@ -28,18 +28,31 @@ void DeformableBody::State::fracture() {
   door.finish();
 }
 
-/// One step, or a part of one. Returns false with nothing changed.
-bool DeformableBody::State::advance(const StepSpan& span, double time) {
+/// One step, in parts where it must be. Returns false with everything as it was.
+bool DeformableBody::State::advance() {
+  return advanceInParts(
+      {scene.solver.time_step}, time(),
+      [&](const StepSpan& span, double from, StepDemand demand) { return advance(span, from, demand); },
+      [&] { return keepStep(); }, [&](const StepMemory& before) { recallStep(before); });
+}
+
+/// A part of a step. Returns false with nothing changed.
+bool DeformableBody::State::advance(const StepSpan& span, double time, StepDemand demand) {
+  if (!span.isWhole()) last_steps.forget();
   const auto beginning = Clock::now();
   const bool coupled =
       !couplers.areNone() && couplers.begin({span, mesh, step.pieceOf(), motion, step.begin(span.time_step, motion),
                                              step.inertia(), step.pieceMass()});
-  couplers_ms = 1e3 * secondsSince(beginning);
-  const bool taken = coupled ? step.advance(time, &motion, &couplers) : advanceFreely(time, span.time_step);
-  if (!taken) couplers.stepFailed();
-  if (!taken || !coupled) return taken;
-  last_steps.forget();
-  couplers.accept(step.moved(), motion, step.felt());
+  couplers_ms += 1e3 * secondsSince(beginning);
+  const bool taken = coupled ? step.advance(time, &motion, &couplers, demand) : advanceFreely(time, span.time_step);
+  times += step.times();
+  solved.add(step.stats(), taken);
+  if (!taken) {
+    couplers.stepFailed();
+    return false;
+  }
+  if (coupled || !span.isWhole()) last_steps.forget();
+  if (coupled) couplers.accept(step.moved(), motion, step.felt());
   return true;
 }
 
@@ -50,19 +63,6 @@ bool DeformableBody::State::advanceFreely(double time, double time_step) {
     return step.advance(time, &motion);
   }
   return last_steps.advance(time, time_step, &step, &motion);
-}
-
-/// Two steps of half the length; returns false, with everything as it was, when one of them fails.
-bool DeformableBody::State::advanceInHalves(double time, double time_step) {
-  const StepMemory before = keepStep();
-  const double half = time_step / 2;
-  last_steps.forget();
-  if (advance({half, 0, 0.5}, time) && advance({half, 0.5, 1}, time + half)) {
-    last_steps.forget();
-    return true;
-  }
-  recallStep(before);
-  return false;
 }
 
 /// The tools are where their paths ended, and have done what they do on the way.

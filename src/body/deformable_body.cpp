@@ -58,12 +58,15 @@ StepResult DeformableBody::step() {
 
   const double dt = s.scene.solver.time_step, t = s.time();
   for (const auto& tool : s.tools) tool->startStep(t, dt, s.motion.x);
-  if (!s.advance({dt}, t) && !s.advanceInHalves(t, dt)) {
+  s.times = StepTimes();
+  s.couplers_ms = 0;
+  s.solved = SolveStats();
+  if (!s.advance()) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
-                     " s failed, also in two halves: the system is not positive definite or a value is not finite");
+                     " s failed, also in shorter ones: the system is not positive definite or a value is not finite");
   }
   ++s.steps;
-  if (!s.step.stats().settled) ++s.unsettled_steps;
+  if (!s.solved.settled) ++s.unsettled_steps;
   if (s.growth) s.growth->stepTaken();
   s.obstacle_motions.endStep();
   const auto cutting = Clock::now();
@@ -80,14 +83,14 @@ void DeformableBody::State::fillResult(StepResult* result) {
   result->cracks = std::move(taken.cracks);
   for (const Contact* contact : contacts) result->contact.add(contact->report());
   for (const auto& tool : tools) result->tools.push_back(tool->report());
-  result->iterations = step.stats().iterations;
-  result->residual = step.stats().residual;
-  result->solves = step.stats().solves;
-  result->settled = step.stats().settled;
+  result->iterations = solved.iterations;
+  result->residual = solved.residual;
+  result->solves = solved.solves;
+  result->settled = solved.settled;
   result->phase_ms.contact = couplers_ms;
-  result->phase_ms.assembly = step.times().assembly;
-  result->phase_ms.solve = step.times().solve;
-  result->phase_ms.update = step.times().update;
+  result->phase_ms.assembly = times.assembly;
+  result->phase_ms.solve = times.solve;
+  result->phase_ms.update = times.update;
 }
 
 Reports DeformableBody::takeReports() { return std::exchange(state_->reports, Reports()); }

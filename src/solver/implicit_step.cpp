@@ -19,6 +19,10 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 /// stiffness beyond float, rarely goes away at once.
 constexpr int FALLBACK_STEPS = 20;
 
+/// What turns further than this in a step meets others along a chord that is far from the way on which their impulses
+/// drive it: friction could then give energy [rad].
+constexpr double FAR_TURN = 0.5;
+
 /// Relative residual that a direct solver leaves at best.
 constexpr double ATTAINABLE = 1e-14;
 
@@ -163,7 +167,7 @@ void ImplicitStep::findAhead(const std::vector<Vec3>& start) {
   for (std::size_t c = 0; c < ahead_.size(); ++c) ahead_[c] = base_.x[c] - start[c] + time_step_ * base_.u[c];
 }
 
-bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
+bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, StepDemand demand) {
   const auto start = std::chrono::steady_clock::now();
   times_ = StepTimes();
   fallback_steps_at_start_ = memory_.fallback_steps;
@@ -175,17 +179,17 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
   times_.solve = millisecondsSince(start) - times_.assembly;
 
   const auto updating = std::chrono::steady_clock::now();
-  if (!solved || !allFinite(dv_)) {
+  if (!solved || !allFinite(dv_) || (couplers && !takeChange(*motion, demand))) {
     giveUp();
     rotated_ = false;
     return false;
   }
   rotated_ = false;
-  balanceMomentum(couplers != nullptr);
+  if (!couplers) balanceMomentum(false);
   remember();
   if (couplers) {
     findWrenches(*couplers, *motion);
-    rigid_.finish(assembly_, base_, dv_, newton_.impulsesOnCopies(), motion);
+    rigid_.finish(base_, dv_, motion);
   } else {
     for (int c = 0; c < mesh_.numCopies(); ++c) {
       motion->v[c] = base_.v[c] + base_.u[c] + dv_[c];
@@ -194,6 +198,13 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers) {
   }
   times_.update = millisecondsSince(updating);
   return true;
+}
+
+/// Returns whether the step is what is demanded.
+bool ImplicitStep::takeChange(const Motion& start, StepDemand demand) {
+  balanceMomentum(true);
+  rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
+  return demand == StepDemand::ANY || (newton_.stats().settled && rigid_.farthestTurn() <= FAR_TURN);
 }
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.

@@ -175,10 +175,9 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
   }
 }
 
-void RigidPieces::finish(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
-                         const std::vector<Vec3>& impulses, Motion* motion) {
-  const double h = time_step_;
-  findKicks(assembly, base, dv, impulses, motion->x);
+void RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
+                             const std::vector<Vec3>& impulses, const std::vector<Vec3>& x) {
+  findKicks(assembly, base, dv, impulses, x);
   for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
     Kick& kick = kicks_[piece];
     if (!kick.is_coupled) continue;
@@ -188,8 +187,19 @@ void RigidPieces::finish(const Assembly& assembly, const StepBase& base, const s
     kick.rate = turns_[piece].rateOf(kick.spin);
     body.velocity += kick.velocity;
     body.spin += kick.spin + kick.at_start - kick.at_end;
-    kicked_turns_[piece] = turnOf(body, h);
+    kicked_turns_[piece] = turnOf(body, time_step_);
   }
+}
+
+double RigidPieces::farthestTurn() const {
+  double farthest = 0;
+  for (std::size_t piece = 0; piece < kicks_.size(); ++piece)
+    if (kicks_[piece].is_coupled) farthest = std::max(farthest, time_step_ * kicked_turns_[piece].rate.norm());
+  return farthest;
+}
+
+void RigidPieces::finish(const StepBase& base, const std::vector<Vec3>& dv, Motion* motion) const {
+  const double h = time_step_;
   for (std::size_t c = 0; c < dv.size(); ++c) {
     const auto piece = static_cast<std::size_t>(piece_[c]);
     const Kick& kick = kicks_[piece];

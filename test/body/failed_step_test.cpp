@@ -30,7 +30,7 @@ TEST_P(FailedStep, LeavesTheBodyAsIfItHadNotBeenTried) {
     Fallible failing(scene), twin(scene);
     Told told, expected;
     for (int k = 0; k <= failed; ++k) {
-      if (k == failed) failing.failOnce(WHOLE_AND_HALF);
+      if (k == failed) failing.failOnce(ALL);
       told.add(failing.body.takeReports());
       told.add(failing.body.step());
       expected.add(twin.body.step());
@@ -109,7 +109,7 @@ TEST(FailedSteps, AreTakenWithThePathThatTheToolHadBefore) {
     one->body.placeTool(turned(0));
     one->body.guideTool({turned(0.2), turned(0.4)});
   }
-  failing.failOnce(WHOLE_AND_HALF);
+  failing.failOnce(ALL);
   failing.body.guideTool({turned(0.5)});
   twin.body.guideTool({turned(0.5)});
   failing.body.step();

@@ -50,9 +50,16 @@ class FailingSolver : public LinearSolver {
   Failures* failures_;
 };
 
-/// The solves of a whole step, where the first fails: a direct one follows, and is the last. Then come those of its
-/// first half.
-inline const std::set<int> WHOLE = {0, 1}, WHOLE_AND_HALF = {0, 1, 2, 3};
+/// The solves of a step that fails: in the whole of it, where a direct one follows the first, and then likewise in its
+/// first half, quarter and eighth.
+inline const std::set<int> ALL = {0, 1, 2, 3, 4, 5, 6, 7};
+
+/// Those of a step that fails after its first eighth has been tried with two solves that do not.
+inline std::set<int> afterAnEighth() {
+  std::set<int> solves = {0, 1, 2, 3, 4, 5};
+  for (int k = 8; k < 100; ++k) solves.insert(k);
+  return solves;
+}
 
 /// A body whose solver fails on demand.
 struct Fallible {

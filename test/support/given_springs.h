@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "incision/solver/step_in_parts.h"
 #include "support/rig.h"
 
 namespace incision {
@@ -24,12 +25,15 @@ class GivenSprings : public WithMemory<Coupler, int> {
     return true;
   }
   void update(Span<const Vec3> moved, Span<Spring> springs) override { update_(moved, springs); }
-  void accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& felt) override {
+  void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& felt) override {
     moved_.assign(moved.begin(), moved.end());
-    felt_ = felt;
+    if (span.from == 0) felt_ = Wrench();
+    felt_.force += (span.to - span.from) * felt.force;
+    felt_.torque += (span.to - span.from) * felt.torque;
   }
   bool hasOtherEnd() const override { return true; }
 
+  /// The mean over the last step, whatever parts it was taken in.
   const Wrench& felt() const { return felt_; }
   const std::vector<Vec3>& moved() const { return moved_; }
 
@@ -40,20 +44,41 @@ class GivenSprings : public WithMemory<Coupler, int> {
   std::vector<Vec3> moved_;
 };
 
-/// Takes a step under these couplers. Returns whether it could be taken.
-inline bool advanceWith(Rig* rig, Couplers* couplers) {
-  const std::vector<Vec3>& ahead = rig->step.begin(rig->time_step, rig->motion);
-  couplers->begin({{rig->time_step},
-                   rig->mesh,
-                   rig->step.pieceOf(),
-                   rig->motion,
-                   ahead,
-                   rig->step.inertia(),
-                   rig->step.pieceMass()});
-  if (!rig->step.advance(rig->time, &rig->motion, couplers)) return false;
+/// Takes a part of a step under these couplers, or returns false with nothing changed.
+inline bool advancePart(Rig* rig, Couplers* couplers, const StepSpan& span, double time, StepDemand demand) {
+  const std::vector<Vec3>& ahead = rig->step.begin(span.time_step, rig->motion);
+  couplers->begin(
+      {span, rig->mesh, rig->step.pieceOf(), rig->motion, ahead, rig->step.inertia(), rig->step.pieceMass()});
+  if (!rig->step.advance(time, &rig->motion, couplers, demand)) {
+    couplers->stepFailed();
+    return false;
+  }
   couplers->accept(rig->step.moved(), rig->motion, rig->step.felt());
-  rig->time += rig->time_step;
   return true;
+}
+
+/// Takes a step under these couplers, in parts where it must be. Returns whether it could be taken.
+inline bool advanceWith(Rig* rig, Couplers* couplers) {
+  struct Kept {
+    Motion motion;
+    ImplicitStep::Memory step;
+    std::vector<std::any> couplers;
+  };
+  const bool taken = advanceInParts(
+      {rig->time_step}, rig->time,
+      [&](const StepSpan& span, double time, StepDemand demand) {
+        return advancePart(rig, couplers, span, time, demand);
+      },
+      [&] {
+        return Kept{rig->motion, rig->step.keep(), couplers->keep()};
+      },
+      [&](const Kept& before) {
+        rig->motion = before.motion;
+        rig->step.recall(before.step);
+        couplers->recall(before.couplers);
+      });
+  if (taken) rig->time += rig->time_step;
+  return taken;
 }
 
 }  // namespace incision

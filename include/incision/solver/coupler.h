@@ -21,6 +21,7 @@ struct StepSpan {
 
   /// Whether the whole step ends with this one.
   bool isLast() const { return to == 1; }
+  bool isWhole() const { return from == 0 && to == 1; }
 };
 
 /// The body as couplers find it when a step starts.

@@ -21,6 +21,19 @@ struct BoundaryConditions {
 /// Wall time [ms] of the phases of a step.
 struct StepTimes {
   double assembly = 0, solve = 0, update = 0;
+
+  StepTimes& operator+=(const StepTimes& other) {
+    assembly += other.assembly;
+    solve += other.solve;
+    update += other.update;
+    return *this;
+  }
+};
+
+/// How a step may be taken.
+enum class StepDemand {
+  ANY,    ///< as well as it goes
+  SOUND,  ///< only where it settles, and where no piece that couplers act on turns far
 };
 
 /// One linearly implicit step at a time, from the base x̂, v̂, u that the rigid motion of free pieces leaves:
@@ -68,9 +81,9 @@ class ImplicitStep : private StepEquations {
   void rotate(const std::vector<Vec3>& x);
 
   /// Takes the step that has begun, at `time` [s], under the couplers where there are any; these must have begun it
-  /// too. Returns false, with the motion and the memory as they were, when the system cannot be factorised or a value
-  /// is not finite.
-  bool advance(double time, Motion* motion, Couplers* couplers = nullptr);
+  /// too. Returns false, with the motion and the memory as they were, when the system cannot be factorised, a value is
+  /// not finite or the step is not what is demanded.
+  bool advance(double time, Motion* motion, Couplers* couplers = nullptr, StepDemand demand = StepDemand::ANY);
 
   const Assembly& assembly() const { return assembly_; }
   const SolveStats& stats() const { return newton_.stats(); }
@@ -108,6 +121,7 @@ class ImplicitStep : private StepEquations {
   void keepSolver(Memory* memory) const;
   void makeFallback();
   void balanceMomentum(bool coupled);
+  bool takeChange(const Motion& start, StepDemand demand);
   void remember();
   void giveUp();
   LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "incision/solver/couplers.h"
@@ -18,6 +19,15 @@ struct SolveStats {
   double residual = 0;
   /// One more Newton step would change no spring's force by more than 1e-3 of the largest in its group of pieces.
   bool settled = true;
+
+  /// Adds a part of the step, or one that was tried in vain.
+  void add(const SolveStats& part, bool taken) {
+    iterations += part.iterations;
+    solves += part.solves;
+    if (!taken) return;
+    residual = std::max(residual, part.residual);
+    settled = settled && part.settled;
+  }
 };
 
 /// The equations of a step: those of the body alone, which are affine in Δv, and the solver of their matrix.

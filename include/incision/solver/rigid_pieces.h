@@ -43,13 +43,17 @@ class RigidPieces {
   void kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses, StepBase* base,
             std::vector<Vec3>* given);
 
-  /// Where copies end in a step of implicit Euler from `motion` with these Δv [m/s], of which couplers have given the
-  /// impulses [N s]. It is the base and Δv; but pieces that couplers have acted on go as if they had done so at the
-  /// start: as the rigid body with the momentum and spin that it has then, and with what deforms turned along. So a
-  /// piece that an impact sets spinning does not leave the circle on its tangent either, and what couplers do is no
-  /// more than the energy that they have: the chord of a turn is shorter than its tangent at the start.
-  void finish(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
-              const std::vector<Vec3>& impulses, Motion* motion);
+  /// The Δv of a step of implicit Euler from copies at `x` [m], of which couplers have given the impulses [N s]. Pieces
+  /// that couplers have acted on go as if they had done so at the start: as the rigid body with the momentum and spin
+  /// that it has then, and with what deforms turned along. So a piece that an impact sets spinning does not leave the
+  /// circle on its tangent either, and what couplers do is no more than the energy that they have: the chord of a turn
+  /// is shorter than its tangent at the start.
+  void takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
+                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x);
+  /// How far the piece turns the most, among those that couplers have acted on, at the rate that it starts with [rad].
+  double farthestTurn() const;
+  /// Where copies end with the change taken last: the base and Δv but for the pieces said above.
+  void finish(const StepBase& base, const std::vector<Vec3>& dv, Motion* motion) const;
 
   std::size_t pieces() const { return free_.size(); }
   int pieceOf(std::size_t copy) const { return piece_[copy]; }
