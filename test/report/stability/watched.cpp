@@ -96,7 +96,7 @@ void Watched::compare(const Motion& before) {
   const double tolerance = settings_.solver.method == Method::DIRECT ? DIRECT_TOLERANCE : settings_.solver.tolerance;
   const StepResidual residual = stepResidual(*this, settings_, before, tolerance);
   watch_.residual = std::max(watch_.residual, residual.relative);
-  watch_.residual_share = std::max(watch_.residual_share, residual.share);
+  watch_.residual_share = std::max({watch_.residual_share, residual.share, residual.off_place});
 }
 
 void Flights::fly(Watched* body, int steps, int reference_every) {
