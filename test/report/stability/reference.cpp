@@ -112,7 +112,8 @@ void addStiffness(const Given& given, int p, Sides* sides) {
     sides->right[c] -= dt * inner.col(I) + factor * along_u.col(I);
     sides->left[c] += factor * along_dv.col(I);
     sides->diagonal[c] += factor * volume * (lambda + 4 * mu) / 3 * b * b;
-    sides->rounding[c] += dt * ROUNDINGS * given.reach * volume * (lambda + 2 * mu) * b * largest;
+    sides->rounding[c] +=
+        dt * ROUNDINGS * (given.reach + given.base.turned[c]) * volume * (lambda + 2 * mu) * b * largest;
   }
 }
 
@@ -130,20 +131,25 @@ StepResidual stepResidual(const Rig& rig, const RigSettings& settings, const Mot
   const std::vector<Real> mass = massesOf(rig, settings.material);
   const ReferenceBase base = rigidReference(rig, before, mass);
   std::vector<RealVec> dv(copies), end(copies);
-  Real reach = 0, places = 0, off_place = 0;
+  Real reach = 0, places = 0;
   for (std::size_t c = 0; c < copies; ++c) {
     const RealVec v = rig.motion.v[c].cast<Real>();
     dv[c] = v - base.v[c] - base.u[c];
     const RealVec way = (dt + beta) * before.v[c].cast<Real>().cwiseAbs().cwiseMax(v.cwiseAbs());
     reach = std::max({reach, before.x[c].cast<Real>().cwiseAbs().maxCoeff(), way.maxCoeff()});
     places = std::max({places, base.x[c].cwiseAbs().maxCoeff(), dt * v.cwiseAbs().maxCoeff()});
-    const RealVec place = base.x[c] + dt * (v - base.v[c]);
-    off_place = std::max(off_place, (rig.motion.x[c].cast<Real>() - place).cwiseAbs().maxCoeff());
   }
   const Given given{rig, settings, mass, base, dv, reach};
   Sides sides(copies);
   for (std::size_t c = 0; c < copies; ++c) addInertia(given, c, &sides);
   for (int p = 0; p < static_cast<int>(rig.mesh.parts().size()); ++p) addStiffness(given, p, &sides);
+
+  Real off_place = 0;
+  for (std::size_t c = 0; c < copies; ++c) {
+    const RealVec place = base.x[c] + dt * (rig.motion.v[c].cast<Real>() - base.v[c]);
+    const Real off = (rig.motion.x[c].cast<Real>() - place).cwiseAbs().maxCoeff();
+    off_place = std::max(off_place, off / (ROUNDINGS * (places + base.turned[c])));
+  }
 
   std::vector<Norms> pieces(rig.step.pieces());
   const RealVec weight = dt * settings.conditions.gravity.cast<Real>();
@@ -163,7 +169,7 @@ StepResidual stepResidual(const Rig& rig, const RigSettings& settings, const Mot
     all += piece.mass;
   }
   StepResidual result;
-  result.off_place = static_cast<double>(off_place / (ROUNDINGS * places));
+  result.off_place = static_cast<double>(off_place);
   if (!(acting > 0)) return result;
   result.relative = static_cast<double>(std::sqrt(residual / acting));
   for (const Norms& piece : pieces) {

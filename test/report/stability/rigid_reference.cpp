@@ -17,6 +17,8 @@ struct Whole {
   RealMat turn = RealMat::Identity();                    // Q
   RealVec from = RealVec::Zero(), to = RealVec::Zero();  // its rate at the start and at the end
 
+  Real turned = 0;
+
   RealVec rate() const { return turn * (inverse * (turn.transpose() * spin)); }
 };
 
@@ -26,13 +28,19 @@ RealMat rotation(const RealVec& by) {
   return Eigen::AngleAxis<Real>(angle, by / angle).toRotationMatrix();
 }
 
-RealMat inverseOf(const RealMat& inertia) {
-  const Eigen::SelfAdjointEigenSolver<RealMat> axes(inertia);
-  RealMat inverse = RealMat::Zero();
-  for (int i = 0; i < 3; ++i)
-    if (axes.eigenvalues()[i] > 1e-9L * axes.eigenvalues()[2])
-      inverse += axes.eigenvectors().col(i) * axes.eigenvectors().col(i).transpose() / axes.eigenvalues()[i];
-  return inverse;
+/// A moment of inertia J that is off by a rounding of the largest one turns the piece on by as large a share of ω Δt as
+/// that is of J; the arm is √(J/m).
+void invert(Real time_step, Whole* whole) {
+  const Eigen::SelfAdjointEigenSolver<RealMat> axes(whole->inertia);
+  const Real largest = axes.eigenvalues()[2];
+  for (int i = 0; i < 3; ++i) {
+    const Real J = axes.eigenvalues()[i];
+    const RealVec axis = axes.eigenvectors().col(i);
+    if (!(J > 1e-9L * largest)) continue;
+    whole->inverse += axis * axis.transpose() / J;
+    const Real turn = time_step * std::abs(axis.dot(whole->spin)) / J;
+    whole->turned = std::max(whole->turned, largest / J * turn * std::sqrt(J / whole->mass));
+  }
 }
 
 void turnOn(Real time_step, Whole* whole) {
@@ -72,7 +80,7 @@ ReferenceBase rigidReference(const Rig& rig, const Motion& start, const std::vec
   std::vector<Whole> wholes = wholesOf(rig, start, mass);
   for (Whole& whole : wholes) {
     if (!whole.is_free) continue;
-    whole.inverse = inverseOf(whole.inertia);
+    invert(dt, &whole);
     whole.from = whole.rate();
     const Real most = dt * whole.spin.norm() * whole.inverse.norm();
     const int turns = dt * whole.from.norm() > 0.3L ? static_cast<int>(std::min(1e4L, std::ceil(most / 0.05L))) : 1;
@@ -86,6 +94,7 @@ ReferenceBase rigidReference(const Rig& rig, const Motion& start, const std::vec
     const RealVec arm = whole.turn * r;
     base.x.push_back(whole.is_free ? RealVec(whole.centre + dt * whole.velocity + arm) : x);
     base.v.push_back(whole.is_free ? RealVec(whole.velocity + whole.to.cross(arm)) : RealVec::Zero());
+    base.turned.push_back(whole.is_free ? whole.turned : 0);
     base.u.push_back(whole.is_free ? RealVec(whole.turn * (v - whole.velocity - whole.from.cross(r))) : v);
   }
   return base;

@@ -15,6 +15,9 @@ using RealMat = Eigen::Matrix<Real, 3, 3>;
 /// What a step starts from, by copy.
 struct ReferenceBase {
   std::vector<RealVec> x, v, u;  ///< x̂ [m], v̂ and u [m/s]
+  /// What a rounding of all moments of inertia of its piece moves it by, over that rounding [m]: about the axis of the
+  /// least one, of which a needle has few digits.
+  std::vector<Real> turned;
 };
 
 /// That of the rigid motion of free pieces over a step of the rig: by the sums over each piece of lumped masses [kg]. A
