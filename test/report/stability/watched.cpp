@@ -116,8 +116,7 @@ void Flights::report(Matrix* matrix, const std::string& name) const {
     if (kept.flights == 0) continue;
     const std::string with = name + ", " + nameOf(method);
     addResidual(matrix, with + ": residual", kept.residual.figure());
-    matrix->add(with + ": momentum", kept.drift.figure(), direct ? 1e-11 : 1e-6,
-                direct ? "rounding of the forces, over mass × speed" : "the tolerance, over mass × speed");
+    addMomentum(matrix, with + ": momentum", kept.drift.figure());
     addGrowth(matrix, with + ": energy growth", kept.growth.figure());
   }
 }
