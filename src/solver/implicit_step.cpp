@@ -110,9 +110,9 @@ const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& mot
   return ahead_;
 }
 
-/// Finds the base of the first step of second order, and the rotations where it goes.
+/// Finds the rotations where the copies go. What its spin drives a piece apart by is left out: a stiff one resists it.
 void ImplicitStep::rotateAhead(const Motion& motion) {
-  rigid_.firstOfSecondOrder(assembly_, motion, time_step_, &base_);
+  rigid_.euler(assembly_, motion, time_step_, &base_);
   findAhead(motion.x);
   y_.resize(ahead_.size());
   for (std::size_t c = 0; c < ahead_.size(); ++c) y_[c] = motion.x[c] + ahead_[c];
@@ -145,6 +145,8 @@ void ImplicitStep::findInertia() {
 void ImplicitStep::beginAhead(double time_step, const Motion& motion) {
   time_step_ = time_step;
   rotateAhead(motion);
+  rigid_.firstOfSecondOrder(assembly_, motion, time_step, &base_);
+  findAhead(motion.x);
   findInertia();
 }
 
