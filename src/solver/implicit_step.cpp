@@ -114,9 +114,9 @@ const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& mot
   return ahead_;
 }
 
-/// Finds the base of the first step of second order, and the rotations where it goes.
+/// Finds the rotations where the copies go. What its spin drives a piece apart by is left out: a stiff one resists it.
 void ImplicitStep::rotateAhead(const Motion& motion) {
-  rigid_.firstOfSecondOrder(assembly_, motion, time_step_, &base_);
+  rigid_.euler(assembly_, motion, time_step_, &base_);
   findAhead(motion.x);
   y_.resize(ahead_.size());
   for (std::size_t c = 0; c < ahead_.size(); ++c) y_[c] = motion.x[c] + ahead_[c];
@@ -149,6 +149,8 @@ void ImplicitStep::findInertia() {
 void ImplicitStep::beginAhead(double time_step, const Motion& motion) {
   time_step_ = time_step;
   rotateAhead(motion);
+  rigid_.firstOfSecondOrder(assembly_, motion, time_step, &base_);
+  findAhead(motion.x);
   findInertia();
 }
 
@@ -185,7 +187,6 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
     return false;
   }
   rotated_ = false;
-  if (!couplers) balanceMomentum(false);
   remember();
   if (couplers) {
     findWrenches(*couplers, *motion);
@@ -202,7 +203,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
 
 /// Returns whether the step is what is demanded.
 bool ImplicitStep::takeChange(const Motion& start, StepDemand demand) {
-  balanceMomentum(true);
+  balanceMomentum(true, &dv_);
   rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
   return demand == StepDemand::ANY || (newton_.stats().settled && rigid_.farthestTurn() <= FAR_TURN);
 }
@@ -241,21 +242,21 @@ void ImplicitStep::findWrenches(const Couplers& couplers, const Motion& start) {
 
 /// The momentum of a free piece changes by the impulses of loads, weight and springs alone, whatever a solve has left
 /// of it: what is off is shared by all its copies.
-void ImplicitStep::balanceMomentum(bool coupled) {
+void ImplicitStep::balanceMomentum(bool coupled, std::vector<Vec3>* dv) {
   const double alpha = time_step_ * assembly_.materials().massDamping();
   const std::vector<double>& masses = assembly_.masses();
   off_.assign(static_cast<std::size_t>(pieces_), Vec3::Zero());
   bool any = false;
   for (double mass : piece_mass_) any = any || std::isfinite(mass);
-  for (std::size_t c = 0; any && c < dv_.size(); ++c) {
+  for (std::size_t c = 0; any && c < dv->size(); ++c) {
     Vec3& off = off_[static_cast<std::size_t>(piece_[c])];
-    off += external_[c] - masses[c] * (dv_[c] + alpha * (base_.v[c] + base_.u[c] + dv_[c]));
+    off += external_[c] - masses[c] * ((*dv)[c] + alpha * (base_.v[c] + base_.u[c] + (*dv)[c]));
     if (coupled) off += newton_.impulsesOnCopies()[c];
     if (!given_.empty()) off -= given_[c];
   }
-  for (std::size_t c = 0; any && c < dv_.size(); ++c) {
+  for (std::size_t c = 0; any && c < dv->size(); ++c) {
     const auto piece = static_cast<std::size_t>(piece_[c]);
-    if (std::isfinite(piece_mass_[piece])) dv_[c] += off_[piece] / ((1 + alpha) * piece_mass_[piece]);
+    if (std::isfinite(piece_mass_[piece])) (*dv)[c] += off_[piece] / ((1 + alpha) * piece_mass_[piece]);
   }
 }
 

@@ -16,6 +16,10 @@ constexpr double SETTLED = 1e-3;
 /// A solve must leave less than this of the residual to be followed by another with the same springs.
 constexpr double MIN_PROGRESS = 0.3;
 
+/// A solve may miss the tolerance by what balancing the momentum adds, which is less than so many times. The next one
+/// then leaves this share of it.
+constexpr double NEARLY = 10, AGAIN = 0.3;
+
 /// Bounds are taken anew after so many Newton steps, and go half of the way after the first ones. Where they go round
 /// in circles even so the last ones stay: with these there is a minimum, at which no energy comes in.
 constexpr int FAST_BOUNDS = 8, MAX_BOUNDS = 25;
@@ -25,7 +29,10 @@ constexpr int FAST_BOUNDS = 8, MAX_BOUNDS = 25;
 bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv) {
   const bool coupled = p.couplers != nullptr;
   start(p, norms, dv);
-  if (stats_.residual <= p.tolerance) return true;
+  if (stats_.residual <= p.tolerance) {
+    if (!coupled) p.equations->balance(dv);
+    return true;
+  }
   if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance))
     startAt(p, p.basis[0], dv);
   if (coupled) guessRigidly(p, dv);
@@ -43,6 +50,7 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     takeStep(p, dv);
     stats_.settled = !coupled || isSettled(p, *norms);
     const bool last_springs = stats_.settled || stats_.solves >= MAX_SOLVES;
+    if (!coupled) p.equations->balance(dv);
     if (tight) p.equations->residual(*dv, &alone_);
     stats_.residual = ratioLeft(norms);
     if (tight) {
@@ -131,7 +139,9 @@ bool Newton::takeSprings(const StepProblem& p) {
 bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight) {
   const std::size_t copies = alone_.size();
   limit_ = norms.measures();
-  for (double& limit : limit_) limit *= p.tolerance * p.tolerance;
+  const bool again = !first && !p.couplers && stats_.residual < NEARLY * p.tolerance;
+  const double asked = (again ? AGAIN : 1) * p.tolerance;
+  for (double& limit : limit_) limit *= asked * asked;
   right_ = alone_;
   if (p.couplers) {
     group_of_piece_.resize(limit_.size());

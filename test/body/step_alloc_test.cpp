@@ -61,6 +61,10 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
   Scene averaged = barWith(Method::ITERATIVE, SMALL);
   averaged.body.pressure = Pressure::AVERAGED;
   EXPECT_EQ(allocationsOfUncutSteps(averaged), 0);
+  Scene with_tool = barWith(Method::ITERATIVE, SMALL);
+  with_tool.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)}};
+  with_tool.tool->poses = {{0, {Vec3(0, 0, 50), Eigen::Quaterniond::Identity()}}};
+  EXPECT_EQ(allocationsOfUncutSteps(with_tool), 0);
 }
 
 TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {

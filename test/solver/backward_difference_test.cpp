@@ -86,6 +86,24 @@ TEST(BackwardDifference, LargeTurnsConvergeAtSecondOrder) {
   EXPECT_NEAR(order, 2, 0.2);
 }
 
+// Turns of up to half a radian a step.
+TEST(BackwardDifference, WhatSpinsGainsNoEnergy) {
+  for (const double young_modulus : {1e6, 1e8})
+    for (const double time_step : {0.005, 0.02, 0.05}) {
+      RigSettings settings;
+      settings.material.young_modulus = young_modulus;
+      settings.solver.time_step = time_step;
+      SecondOrderRig rig(settings);
+      for (std::size_t c = 0; c < rig.motion.x.size(); ++c)
+        rig.motion.v[c] = Vec3(10, 0, 5).cross(rig.motion.x[c] - SIZE / 2);
+      const double first = rig.energy();
+      while (rig.time < 1) {
+        ASSERT_TRUE(rig.advance());
+        ASSERT_LT(rig.energy() / first - 1, 2e-3) << young_modulus << " Pa, " << time_step << " s";
+      }
+    }
+}
+
 TEST(BackwardDifference, PiecesFallAsTheFormulaSays) {
   RigSettings settings;
   settings.conditions.gravity = Vec3(1, -2, -9);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "incision/base/short_list.h"
 #include "incision/contact/contact_report.h"
 #include "incision/contact/obstacles.h"
 #include "incision/cut/cut_result.h"
@@ -48,12 +49,12 @@ struct StepResult {
   std::vector<CutResult> cuts;      ///< those that took effect before this step, and strokes that ended in it
   std::vector<CrackResult> cracks;  ///< what cracks did in this step
   ContactReport contact;
-  std::vector<ToolReport> tools;  ///< of each tool
-  int iterations = 0;             ///< of the linear solve; 0 when direct
-  double residual = 0;            ///< relative
-  int solves = 0;                 ///< Newton steps for what touches, tears or cuts; 0 where nothing was to solve
-  bool settled = true;            ///< one more would hardly have changed a force
-  double step_ms = 0;             ///< wall time of the whole step
+  ShortList<ToolReport, 4> tools;  ///< of each tool
+  int iterations = 0;              ///< of the linear solve; 0 when direct
+  double residual = 0;             ///< relative
+  int solves = 0;                  ///< Newton steps for what touches, tears or cuts; 0 where nothing was to solve
+  bool settled = true;             ///< one more would hardly have changed a force
+  double step_ms = 0;              ///< wall time of the whole step
   PhaseTimes phase_ms;
 };
 

@@ -107,6 +107,7 @@ class ImplicitStep : private StepEquations {
               std::vector<Vec3>* left) override;
   bool isDirect() const override;
   void rebase(const std::vector<Vec3>& impulses) override;
+  void balance(std::vector<Vec3>* dv) override { balanceMomentum(false, dv); }
   bool fallBack(const std::vector<Spring>& springs) override;
 
   void findAhead(const std::vector<Vec3>& start);
@@ -120,7 +121,7 @@ class ImplicitStep : private StepEquations {
   void findWrenches(const Couplers& couplers, const Motion& start);
   void keepSolver(Memory* memory) const;
   void makeFallback();
-  void balanceMomentum(bool coupled);
+  void balanceMomentum(bool coupled, std::vector<Vec3>* dv);
   bool takeChange(const Motion& start, StepDemand demand);
   void remember();
   void giveUp();

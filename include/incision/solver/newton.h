@@ -51,6 +51,9 @@ class StepEquations {
   /// they leave, and `ahead` and the residual are those from there.
   virtual void rebase(const std::vector<Vec3>& impulses) = 0;
 
+  /// Shares out what Δv leaves of each free piece's momentum among all its copies, where no springs act.
+  virtual void balance(std::vector<Vec3>* dv) = 0;
+
   /// Goes over to a direct solver with these springs. Returns false where that cannot be.
   virtual bool fallBack(const std::vector<Spring>& springs) = 0;
 };

@@ -11,9 +11,9 @@ def at_step(curve, time_step):
     return next(p for p in curve['points'] if p['time_step'] == time_step)
 
 
-def order(curve):
-    """Of the two smallest steps."""
-    coarse, fine = curve['points'][-2:]
+def order(curve, steps=()):
+    """Between these two steps; of the two smallest ones unless told otherwise."""
+    coarse, fine = [at_step(curve, step) for step in steps] or curve['points'][-2:]
     return math.log(coarse['error'] / fine['error']) / math.log(coarse['time_step'] / fine['time_step'])
 
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "incision/solver/backward_difference.h"
 
@@ -96,8 +97,34 @@ Scheme sdirk2Scheme() {
           }};
 }
 
-std::vector<Scheme> allSchemes() {
-  return {eulerScheme(), bdf2Scheme(), newtonScheme(2), midpointScheme(), sdirk2Scheme()};
+Scheme verletScheme() {
+  return {"Verlet", [] {
+            const auto assembly = std::make_shared<std::optional<Assembly>>();
+            return [assembly](double /*time*/, double time_step, ImplicitStep* step, Motion* motion) {
+              const std::vector<double>& masses = step->assembly().masses();
+              Values forces;
+              const auto kick = [&] {
+                (*assembly)->rotate(motion->x);
+                (*assembly)->elasticForces(motion->x, &forces);
+                for (std::size_t c = 0; c < forces.size(); ++c) motion->v[c] -= time_step / 2 / masses[c] * forces[c];
+              };
+              if (!*assembly) {
+                const Assembly& given = step->assembly();
+                assembly->emplace(given.mesh(), given.materials(), Mass::LUMPED, Pressure::ELEMENT, true, 1);
+                (*assembly)->topologyChanged(motion->x);
+              }
+              kick();
+              motion->x = sum(motion->x, time_step, motion->v);
+              kick();
+              return true;
+            };
+          }};
+}
+
+std::vector<Scheme> schemesOf(bool held) {
+  std::vector<Scheme> schemes = {eulerScheme(), bdf2Scheme(), newtonScheme(2)};
+  if (held) schemes.insert(schemes.end(), {midpointScheme(), sdirk2Scheme()});
+  return schemes;
 }
 
 }  // namespace incision::report

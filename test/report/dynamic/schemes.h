@@ -26,10 +26,17 @@ Scheme bdf2Scheme();
 /// - implicit midpoint: a step of Δt/2, then as far again;
 /// - SDIRK2 (Alexander 1977): a step of γ Δt, γ = 1 − 1/√2, and one more from the point that lies beyond it, so that
 ///   both together are of second order and damp what is stiff.
+/// The last two are so for held bodies alone: a step of Euler moves free ones as rigid bodies, and half a step leads no
+/// farther on the way of a whole one.
 Scheme newtonScheme(int iterations);
 Scheme midpointScheme();
 Scheme sdirk2Scheme();
 
-std::vector<Scheme> allSchemes();
+/// Velocity Verlet, of a free body on which nothing acts and in steps that no wave outruns. It has nothing of the
+/// package's steps but the forces.
+Scheme verletScheme();
+
+/// Those that are compared.
+std::vector<Scheme> schemesOf(bool held);
 
 }  // namespace incision::report

@@ -2,7 +2,7 @@
 
 import math
 
-from dynamic.figures import at_step, usable
+from dynamic.figures import at_step, problem, usable
 from plots import curve
 
 WANTED = (0.1, 0.03, 0.01)  # errors of the table of choices
@@ -29,8 +29,8 @@ def modulus(value):
     return f'{value:.0e}'.replace('+0', '')
 
 
-def name_of(problem):
-    return f"{problem['name']}, E = {modulus(problem['young_modulus'])} Pa"
+def name_of(of):
+    return f"{of['name']}, E = {modulus(of['young_modulus'])} Pa"
 
 
 def crossing(points, wanted, key):
@@ -102,6 +102,7 @@ def fields(data, draw):
     problems = data['integrators']
     at_10_ms = [at_step(one, 0.01) for one in problems[0]['curves'][:3]]
     steps = [p['time_step'] for p in problems[0]['curves'][0]['points']]
+    unstretched = problem(data, 'spinning')['implicit Euler']['points'][-1]['error']
     return {'along': 4 * data['cells'], 'reference': 1e3 * data['reference_step'],
             'differ': percent(max(p['references_differ'] for p in problems)),
             'wanted': [percent(wanted) for wanted in WANTED],
@@ -113,6 +114,7 @@ def fields(data, draw):
             'energies': [{'name': f"{modulus(p['young_modulus'])} Pa, {one['name']}",
                           'growth': [growth(at['energy_growth']) for at in one['points']]}
                          for p in problems if p['name'] == 'spinning' for one in p['curves']],
+            'unstretched': percent(unstretched), 'spin': number(SPIN),
             'periods': [{'name': one['name'], 'steps': 1 / p['step_over_period'],
                          'lost': percent(1 - p['measured']['amplitude']), 'long': percent(p['measured']['period'] - 1)}
                         for one in data['oscillation'] for p in one['points'] if p['step_over_period'] in (0.05, 0.01)],

@@ -25,7 +25,7 @@ class Stability(unittest.TestCase):
         self.hold('Held at both ends, one is driven and brought back, in 200 and in 20 steps', 6)
 
     def test_bodies_recover_from_any_shape(self):
-        self.hold('Put into a shape at once and let go', 11)
+        self.hold('Put into a shape at once and let go', 10)
 
     def test_random_planes_part_as_geometry_does(self):
         self.hold('Random planes against geometry', 10)
@@ -46,7 +46,7 @@ class Stability(unittest.TestCase):
         self.hold('Strokes and long runs', 11)
 
     def test_spinning_bodies_keep_their_spin(self):
-        self.hold('Spinning', 3)
+        self.hold('Spinning', 4)
 
     def test_dead_tension_is_stable_below_its_limit(self):
         self.hold('Dead tension on a free bar', 1)

@@ -96,7 +96,7 @@ void driveEnd(Matrix* matrix, const std::string& name, const Way& way) {
 
 /// What bodies keep that are put into a shape at once and let go.
 struct LetGo {
-  Worst growth, direct_drift, iterative_drift, residual, spin;
+  Worst growth, drift, residual, spin;
 
   void add(Method method, const std::function<Vec3(const Vec3&)>& shape, Worst* time) {
     Bar bar(method, {});
@@ -104,7 +104,7 @@ struct LetGo {
     bar.startWatching();
     time->add(bar.timeToRecover(bar.elasticEnergy()));
     growth.add(bar.seen().growth);
-    (method == Method::DIRECT ? direct_drift : iterative_drift).add(bar.seen().drift);
+    drift.add(bar.seen().drift);
     residual.add(bar.seen().residualIfFinite());
     spin.add(bar.angularMomentum().norm() / (bar.mass() * SIZE.x() * 10));
   }
@@ -157,8 +157,7 @@ void extremeShapes(Matrix* matrix) {
     matrix->add(shape.name + ": time to recover [s]", time.figure(), TIME_TO_RECOVER, RECOVERY_REASON);
   }
   const double knots = shareOfKnots(matrix->quick() ? 1 : 5, &all);
-  matrix->add("momentum, direct", all.direct_drift.figure(), 1e-11, "rounding of the forces, over mass × speed");
-  matrix->add("momentum, iterative", all.iterative_drift.figure(), 1e-6, "the tolerance, over mass × speed");
+  addMomentum(matrix, "momentum", all.drift.figure());
   addGrowth(matrix, "energy growth", all.growth.figure());
   addResidual(matrix, "residual, once nothing is flat", all.residual.figure());
   matrix->addLimit("share of such runs with noise of 1e-9 and 1e-2 m that do not recover in time", knots, 0,

@@ -182,7 +182,7 @@ void longRun(Matrix* matrix) {
                              " cuts, " + (held ? "held" : "free");
     addResidual(matrix, name + ": residual", body.seen().residualIfFinite());
     addGrowth(matrix, name + ": energy growth", body.seen().growth);
-    if (!held) matrix->add(name + ": momentum", body.seen().drift, 1e-11, "rounding of the forces, over mass × speed");
+    if (!held) addMomentum(matrix, name + ": momentum", body.seen().drift);
   }
 }
 

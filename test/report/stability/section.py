@@ -57,7 +57,7 @@ def draw_limits(data, draw):
             rows = [row for row in data['tension'] if row['ratio'] == ratio]
             tension.loglog([row['number'] for row in rows], [row['growth'] for row in rows], label=f'σ/E = {ratio:g}',
                            **curve(k))
-        tension.axvline(1 / 3, color='black', linewidth=0.8)
+        tension.axvline(1 / 9, color='black', linewidth=0.8)
         tension.set(xlabel='Δt²σ/(ρL²)', ylabel='sway after 300 steps / first', title='free bar under dead tension')
         rows = [row for row in data['spin'] if row['E'] == 1e9]
         for k, (key, label) in enumerate((('left', 'here'), ('euler', 'fully implicit Euler'))):

@@ -78,8 +78,7 @@ void aloneWithConsistentMass(Matrix* matrix) {
       kinetic.add(body.seen().kinetic_growth);
     }
     const std::string with = std::string("alone, consistent mass, ") + nameOf(method);
-    matrix->add(with + ": momentum", drift.figure(), method == Method::DIRECT ? 1e-11 : 1e-6,
-                "rounding of the forces, or the tolerance, over mass × speed");
+    addMomentum(matrix, with + ": momentum", drift.figure());
     matrix->add(with + ": growth of the kinetic energy", kinetic.figure(), GROWTH_BOUND, "no force acts");
   }
 }

@@ -96,7 +96,7 @@ void Watched::compare(const Motion& before) {
   const double tolerance = settings_.solver.method == Method::DIRECT ? DIRECT_TOLERANCE : settings_.solver.tolerance;
   const StepResidual residual = stepResidual(*this, settings_, before, tolerance);
   watch_.residual = std::max(watch_.residual, residual.relative);
-  watch_.residual_share = std::max(watch_.residual_share, residual.share);
+  watch_.residual_share = std::max({watch_.residual_share, residual.share, residual.off_place});
 }
 
 void Flights::fly(Watched* body, int steps, int reference_every) {
@@ -116,8 +116,7 @@ void Flights::report(Matrix* matrix, const std::string& name) const {
     if (kept.flights == 0) continue;
     const std::string with = name + ", " + nameOf(method);
     addResidual(matrix, with + ": residual", kept.residual.figure());
-    matrix->add(with + ": momentum", kept.drift.figure(), direct ? 1e-11 : 1e-6,
-                direct ? "rounding of the forces, over mass × speed" : "the tolerance, over mass × speed");
+    addMomentum(matrix, with + ": momentum", kept.drift.figure());
     addGrowth(matrix, with + ": energy growth", kept.growth.figure());
   }
 }

@@ -97,6 +97,10 @@ inline const char* const GROWTH_REASON = "implicit Euler only takes energy away"
 inline void addGrowth(Matrix* matrix, const std::string& name, double figure) {
   matrix->add(name, figure, GROWTH_BOUND, GROWTH_REASON);
 }
+/// Of Watch::drift; whatever a solve leaves, a step balances it.
+inline void addMomentum(Matrix* matrix, const std::string& name, double figure) {
+  matrix->add(name, figure, 1e-11, "loads alone change it; rounding, over mass × speed");
+}
 /// Of StepResidual::share; the norms are reckoned in double on one side.
 inline void addResidual(Matrix* matrix, const std::string& name, double figure) {
   matrix->add(name, figure, 1.01, "share of what tolerance and rounding leave, worst piece; 1 % for the norms");
