@@ -172,6 +172,7 @@ void ImplicitStep::findAhead(const std::vector<Vec3>& start) {
 bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, StepDemand demand) {
   const auto start = std::chrono::steady_clock::now();
   times_ = StepTimes();
+  demand_ = demand;
   fallback_steps_at_start_ = memory_.fallback_steps;
   group_at_start_.clear();
   matrix_ready_ = false;
@@ -181,7 +182,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
   times_.solve = millisecondsSince(start) - times_.assembly;
 
   const auto updating = std::chrono::steady_clock::now();
-  if (!solved || !allFinite(dv_) || (couplers && !takeChange(*motion, demand))) {
+  if (!solved || !allFinite(dv_) || (couplers && !takeChange(*motion))) {
     giveUp();
     rotated_ = false;
     return false;
@@ -202,10 +203,10 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
 }
 
 /// Returns whether the step is what is demanded.
-bool ImplicitStep::takeChange(const Motion& start, StepDemand demand) {
+bool ImplicitStep::takeChange(const Motion& start) {
   balanceMomentum(true, &dv_);
   rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
-  return demand == StepDemand::ANY || (newton_.stats().settled && rigid_.farthestTurn() <= FAR_TURN);
+  return demand_ == StepDemand::ANY || (newton_.stats().settled && rigid_.farthestTurn() <= FAR_TURN);
 }
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
@@ -340,10 +341,12 @@ int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>&
   return current()->correct(r, limit, basis, d, left);
 }
 
-void ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
+bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
   rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_);
+  if (demand_ == StepDemand::SOUND && rigid_.farthestTurn() > FAR_TURN) return false;
   findAhead(*start_x_);
   rotate(base_.x);
+  return true;
 }
 
 bool ImplicitStep::isDirect() const { return memory_.fallback_steps > 0 || settings_.method == Method::DIRECT; }

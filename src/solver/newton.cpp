@@ -35,7 +35,7 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   }
   if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance))
     startAt(p, p.basis[0], dv);
-  if (coupled) guessRigidly(p, dv);
+  if (coupled && !guessRigidly(p, dv)) return false;
   bool tight = !coupled, same_springs = false;
   double before = std::numeric_limits<double>::infinity();  // what the last solve with these springs left
   for (bool first = true;; first = false) {
@@ -110,18 +110,20 @@ void Newton::place(const StepProblem& p, const std::vector<Vec3>& dv) {
     moved_[i] = weightedSum(used_[i], p.ahead) + p.time_step * weightedSum(used_[i], dv);
 }
 
-/// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be.
-void Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
+/// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be. Returns
+/// false where that step is not wanted.
+bool Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
   rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
   findImpulses(p);
   shareImpulses();
-  p.equations->rebase(on_copies_);
+  if (!p.equations->rebase(on_copies_)) return false;
   p.equations->residual(*dv, &alone_);
   place(p, *dv);
   // What the turn of the pieces has changed.
   rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
   rigid_guess_.addTo(p.rigid, p.x, dv);
   p.equations->residual(*dv, &alone_);
+  return true;
 }
 
 /// Those of groups that have settled stay as they are.
@@ -169,13 +171,15 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool f
   return std::isfinite(length);
 }
 
-/// Lets each piece have the larger limit of its group's loose solve.
+/// Lets each piece have the larger limit of its group's loose solve; those of groups that have settled wait.
 void Newton::loosen(const PieceNorms& norms) {
   norms.squares(right_, &square_);
   group_square_.assign(groups_.size(), 0);
   for (std::size_t s = 0; s < square_.size(); ++s) group_square_[group_of_piece_[s]] += square_[s];
-  for (std::size_t s = 0; s < square_.size(); ++s)
-    limit_[s] = std::max(limit_[s], LOOSE * LOOSE * group_square_[group_of_piece_[s]]);
+  for (std::size_t s = 0; s < square_.size(); ++s) {
+    const int group = group_of_piece_[s];
+    limit_[s] = std::max(limit_[s], (groups_[group].settled ? 1 : LOOSE * LOOSE) * group_square_[group]);
+  }
 }
 
 /// Where the springs at the end of the direction drive a group back, it has gone too far: finds the point between at

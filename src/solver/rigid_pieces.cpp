@@ -157,6 +157,7 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
     body.velocity += kick.velocity;
     body.spin += kick.spin;
     turns_[piece] = turnOf(body, time_step_);
+    kick.turn = time_step_ * turns_[piece].rate.norm();
     kick.rate = turns_[piece].rateOf(kick.spin);
   }
   for (std::size_t c = 0; c < x.size(); ++c) {
@@ -188,13 +189,13 @@ void RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, con
     body.velocity += kick.velocity;
     body.spin += kick.spin + kick.at_start - kick.at_end;
     kicked_turns_[piece] = turnOf(body, time_step_);
+    kick.turn = time_step_ * kicked_turns_[piece].rate.norm();
   }
 }
 
 double RigidPieces::farthestTurn() const {
   double farthest = 0;
-  for (std::size_t piece = 0; piece < kicks_.size(); ++piece)
-    if (kicks_[piece].is_coupled) farthest = std::max(farthest, time_step_ * kicked_turns_[piece].rate.norm());
+  for (const Kick& kick : kicks_) farthest = std::max(farthest, kick.turn);
   return farthest;
 }
 

@@ -65,6 +65,7 @@ struct SparseCholesky::Cholmod {
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *scratch_y = nullptr, *scratch_e = nullptr;
   LowerTriangle pattern;
+  std::vector<double> factorised;  // the values of the factor; empty: there is none
 
   Cholmod() {
     const CholmodScope scope(&pool);
@@ -106,6 +107,7 @@ void SparseCholesky::analyse(const LowerTriangle& pattern, int block) {
   cholmod_free_factor(&c.factor, &c.common);
   for (cholmod_dense** dense : {&c.solution, &c.scratch_y, &c.scratch_e}) cholmod_free_dense(dense, &c.common);
   c.pool.release();
+  c.factorised.clear();
   std::vector<int> order = c.blockOrder(block);
   c.common.nmethods = 1;
   c.common.method[0].ordering = CHOLMOD_GIVEN;
@@ -119,10 +121,14 @@ bool SparseCholesky::factorise(const std::vector<double>& values) {
   Cholmod& c = *cholmod_;
   const CholmodScope scope(&c.pool);
   assert(values.size() == c.pattern.row.size());
+  if (values == c.factorised) return true;
+  c.factorised.clear();
   cholmod_sparse view = viewOf(c.pattern, values.data());
   cholmod_factorize(&view, c.factor, &c.common);
   if (c.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-  return c.common.status == CHOLMOD_OK && c.factor->minor == c.factor->n;
+  const bool done = c.common.status == CHOLMOD_OK && c.factor->minor == c.factor->n;
+  if (done) c.factorised = values;
+  return done;
 }
 
 void SparseCholesky::solve(const std::vector<double>& b, std::vector<double>* x) {

@@ -106,7 +106,7 @@ class ImplicitStep : private StepEquations {
   int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis, std::vector<Vec3>* d,
               std::vector<Vec3>* left) override;
   bool isDirect() const override;
-  void rebase(const std::vector<Vec3>& impulses) override;
+  bool rebase(const std::vector<Vec3>& impulses) override;
   void balance(std::vector<Vec3>* dv) override { balanceMomentum(false, dv); }
   bool fallBack(const std::vector<Spring>& springs) override;
 
@@ -122,7 +122,7 @@ class ImplicitStep : private StepEquations {
   void keepSolver(Memory* memory) const;
   void makeFallback();
   void balanceMomentum(bool coupled, std::vector<Vec3>* dv);
-  bool takeChange(const Motion& start, StepDemand demand);
+  bool takeChange(const Motion& start);
   void remember();
   void giveUp();
   LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }
@@ -154,6 +154,7 @@ class ImplicitStep : private StepEquations {
   std::vector<int> group_at_start_;  // likewise; empty: they are as they were
   // Of this step:
   double time_step_ = 0;
+  StepDemand demand_ = StepDemand::ANY;
   StepBase base_;
   bool matrix_ready_ = false, rotated_ = false;
   const std::vector<Vec3>* start_x_ = nullptr;

@@ -48,8 +48,8 @@ class StepEquations {
   virtual bool isDirect() const = 0;
 
   /// Takes these impulses of springs on copies [N s] into the base: the step then starts from the rigid motion that
-  /// they leave, and `ahead` and the residual are those from there.
-  virtual void rebase(const std::vector<Vec3>& impulses) = 0;
+  /// they leave, and `ahead` and the residual are those from there. Returns false where such a step is not wanted.
+  virtual bool rebase(const std::vector<Vec3>& impulses) = 0;
 
   /// Shares out what Δv leaves of each free piece's momentum among all its copies, where no springs act.
   virtual void balance(std::vector<Vec3>* dv) = 0;
@@ -82,8 +82,8 @@ class Newton {
   /// Limit of the Newton steps in a step.
   static constexpr int MAX_SOLVES = 50;
 
-  /// `dv` comes with the values of the held copies. Returns false where a matrix is not positive definite, or a linear
-  /// solve does not converge.
+  /// `dv` comes with the values of the held copies. Returns false where a matrix is not positive definite, a linear
+  /// solve does not converge or the step is not wanted.
   bool solve(const StepProblem& problem, PieceNorms* norms, std::vector<Vec3>* dv);
 
   const SolveStats& stats() const { return stats_; }
@@ -108,7 +108,7 @@ class Newton {
   void start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv);
   void startAt(const StepProblem& p, const std::vector<Vec3>& guess, std::vector<Vec3>* dv);
   void place(const StepProblem& p, const std::vector<Vec3>& dv);
-  void guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
+  bool guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
   bool takeSprings(const StepProblem& p);
   bool findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight);
   void loosen(const PieceNorms& norms);

@@ -50,7 +50,8 @@ class RigidPieces {
   /// is shorter than its tangent at the start.
   void takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
                   const std::vector<Vec3>& impulses, const std::vector<Vec3>& x);
-  /// How far the piece turns the most, among those that couplers have acted on, at the rate that it starts with [rad].
+  /// How far the piece turns the most among those that couplers have acted on, by the last of `kick` and `takeChange`,
+  /// at the rate that it starts with [rad].
   double farthestTurn() const;
   /// Where copies end with the change taken last: the base and Δv but for the pieces said above.
   void finish(const StepBase& base, const std::vector<Vec3>& dv, Motion* motion) const;
@@ -95,6 +96,7 @@ class RigidPieces {
   /// What a piece gets in a step.
   struct Kick {
     bool is_coupled = false;
+    double turn = 0;                                    // in the step, at the rate that it starts with [rad]
     Vec3 momentum = Vec3::Zero(), spin = Vec3::Zero();  // by Δv at x̂
     Vec3 at_start = Vec3::Zero();                       // of the couplers' impulses, spin by the levers at the start
     Vec3 at_end = Vec3::Zero();                         // by those at x̂

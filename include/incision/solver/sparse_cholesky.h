@@ -22,7 +22,7 @@ class SparseCholesky {
   /// unknowns.
   void analyse(const LowerTriangle& pattern, int block);
 
-  /// Returns false when the matrix is not positive definite.
+  /// Returns false when the matrix is not positive definite. The values of the last time cost nothing.
   bool factorise(const std::vector<double>& values);
 
   void solve(const std::vector<double>& b, std::vector<double>* x);
