@@ -11,10 +11,10 @@ namespace {
 
 /// How far, in elements, a search looks beyond its reach: less and it comes often, more and each step has more to look
 /// through.
-constexpr double FURTHER = 0.15;
+constexpr double FURTHER = 0.12;
 
 /// A piece's shape is taken anew when a vertex is off by more than this share of that.
-constexpr double SHAPE_SHARE = 0.125;
+constexpr double SHAPE_SHARE = 0.2;
 
 /// What a search looks further for pieces that turn together: between the two ends of a step their points go straight,
 /// and so nearer to each other than they are at either end, by up to so much with a turn of a radian.
@@ -26,13 +26,27 @@ constexpr double NEAR_AT_REST = 3;
 /// Gaps at rest, in elements, that are rounding: faces born together.
 constexpr double SAME_PLANE = 1e-6;
 
-/// Whether a vertex lay behind a triangle of its own piece at rest, with material in between.
-bool isMaterialBehind(const ContactSurface& surface, int vertex, int triangle) {
+/// At rest closer than this, in elements, two points of one flat side do not meet: it would have to fold in between.
+constexpr double BESIDE_AT_REST = 1.5;
+
+/// The cosine of the angle between triangles of one flat side is more.
+constexpr double ONE_SIDE = 0.7;
+
+Vec3 restArea(const ContactSurface& surface, int triangle) {
   const auto& [a, b, c] = surface.surface->triangles[triangle];
-  const auto& X = surface.rest;
-  const Vec3 N = (X[b] - X[a]).cross(X[c] - X[a]), from = X[vertex] - X[a];
-  const double size = surface.size[vertex];
-  return N.dot(from) < -SAME_PLANE * size * N.norm() && from.norm() < NEAR_AT_REST * size;
+  return (surface.rest[b] - surface.rest[a]).cross(surface.rest[c] - surface.rest[a]);
+}
+
+/// Whether a sample and a triangle of one piece never meet: there was material in between at rest, behind the triangle,
+/// or they lie beside each other.
+bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sample, int triangle) {
+  const Vec3 from = surface.rest[sample.vertex] - surface.rest[surface.surface->triangles[triangle][0]];
+  const double size = surface.size[sample.vertex], distance = from.norm();
+  if (distance >= NEAR_AT_REST * size) return false;
+  const Vec3 N = restArea(surface, triangle);
+  if (N.dot(from) < -SAME_PLANE * size * N.norm()) return true;
+  const Vec3 M = restArea(surface, surface.around[sample.first]);
+  return distance < BESIDE_AT_REST * size && N.dot(M) > ONE_SIDE * N.norm() * M.norm();
 }
 
 bool areClose(const ContactSurface::Edge& e, const ContactSurface::Edge& f, const std::vector<Vec3>& x, double reach) {
@@ -171,7 +185,7 @@ void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>&
       continue;
     const Vec3 n = (x[b] - x[a]).cross(x[c] - x[a]);
     if (std::abs(n.dot(x[vertex] - x[a])) > further * n.norm()) continue;
-    if (pair->a != pair->b || !isMaterialBehind(surface, vertex, other)) pair->faces.push_back({s, other});
+    if (pair->a != pair->b || !staysApart(surface, surface.samples[s], other)) pair->faces.push_back({s, other});
   }
 }
 

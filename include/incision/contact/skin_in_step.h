@@ -20,6 +20,6 @@ struct SkinInStep {
 };
 
 /// Depths up to so many elements are still contacts.
-inline constexpr double MAX_DEPTH = 0.15;
+inline constexpr double MAX_DEPTH = 0.1;
 
 }  // namespace incision
