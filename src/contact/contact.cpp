@@ -25,6 +25,10 @@ constexpr double STIFFER_ON_OBSTACLES = 12;
 /// and however soft the body: what hits something fast must neither come out behind it nor overlap by much.
 constexpr double IMPACT_DEPTH = 0.005, STIFFEST_IMPACT = 1000;
 
+/// The same between pieces: something light that heavy pieces squeeze resists with little mass, and its contacts have
+/// to be the stiffer the deeper they go, or they store energy that throws it out.
+constexpr double SQUEEZE_DEPTH = 0.0005;
+
 /// What a point that slides resists along its way, as a share of what it does across it. Along it the force is
 /// constant, so that a Newton step would go far beyond where it turns round.
 constexpr double SLIDING = 0.2;
@@ -95,7 +99,8 @@ void Contact::softenStiffest(const StepStart& start) {
     candidate.stiffness = std::min(bare, STIFFEST / (squared_step * (of_copies / on_obstacle + of_pieces)));
     candidate.tangential = TANGENTIAL * std::min(bare, STIFFEST / mobility);
     const double depth = -candidate.gap - candidate.normal.dot(weightedSum(point, start.ahead) - candidate.drift);
-    const double impact = std::min(depth / (IMPACT_DEPTH * candidate.size), STIFFEST_IMPACT);
+    const double tolerated = (candidate.isOfBody() ? SQUEEZE_DEPTH : IMPACT_DEPTH) * candidate.size;
+    const double impact = std::min(depth / tolerated, STIFFEST_IMPACT);
     if (impact > STIFFEST) candidate.stiffness = std::max(candidate.stiffness, impact / mobility);
   });
 }

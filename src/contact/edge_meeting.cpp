@@ -42,11 +42,9 @@ bool liesBehind(const SkinInStep& skin, const Edge& edge, const Vec3& n, double 
   return true;
 }
 
-}  // namespace
-
-std::optional<EdgeMeeting> meetEdges(const SkinInStep& skin, int edge, int other) {
+/// How they meet if it is after this share of the step.
+std::optional<EdgeMeeting> meetAfter(const SkinInStep& skin, int edge, int other, double share) {
   const Edge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
-  const double share = meetingTime(signedVolume(skin, e, f, 0), signedVolume(skin, e, f, 1));
   const Vec3 a = skin.at(e.from, share), b = skin.at(f.from, share), d = a - b;
   const Vec3 u = skin.at(e.to, share) - a, v = skin.at(f.to, share) - b, across = u.cross(v);
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), square = across.squaredNorm();
@@ -63,6 +61,16 @@ std::optional<EdgeMeeting> meetEdges(const SkinInStep& skin, int edge, int other
   const double gap = n.dot(apart(skin.x)), closing = n.dot(apart(skin.ahead));
   if (!(gap > -MAX_DEPTH * size && gap + std::min(0.0, closing) < MARGIN * size)) return std::nullopt;
   return EdgeMeeting{edge, other, n, s, t, gap};
+}
+
+}  // namespace
+
+std::optional<EdgeMeeting> meetEdges(const SkinInStep& skin, int edge, int other) {
+  const Edge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
+  const double share = meetingTime(signedVolume(skin, e, f, 0), signedVolume(skin, e, f, 1));
+  const std::optional<EdgeMeeting> met = meetAfter(skin, edge, other, share);
+  // What turns so far that along the normal it would be deep from the start is taken as it is then.
+  return share > 0 && met && met->gap < 0 ? meetAfter(skin, edge, other, 0) : met;
 }
 
 }  // namespace incision

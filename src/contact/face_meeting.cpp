@@ -64,6 +64,18 @@ double closingTime(double start, double end) {
   return end <= 0 ? start / (start - end) : 1;
 }
 
+/// The foot of a sample on a triangle's plane after a share of the step.
+FaceMeeting footAfter(const SkinInStep& skin, int sample, int triangle, double share) {
+  const int vertex = skin.surface.samples[sample].vertex;
+  const auto& [a, b, c] = skin.surface.surface->triangles[triangle];
+  const Vec3 pa = skin.at(a, share), pb = skin.at(b, share), pc = skin.at(c, share);
+  const Vec3 area = (pb - pa).cross(pc - pa);
+  FaceMeeting met{sample, triangle, area.stableNormalized(), footOf(skin.at(vertex, share), pa, pb, pc, area), 0};
+  const Vec3 foot = met.weights[0] * skin.x[a] + met.weights[1] * skin.x[b] + met.weights[2] * skin.x[c];
+  met.gap = met.normal.dot(skin.x[vertex] - foot);
+  return met;
+}
+
 Vec3 nearestOnSegment(const Vec3& a, const Vec3& b, const Vec3& p) {
   const Vec3 along = b - a;
   const double square = along.squaredNorm();
@@ -83,20 +95,16 @@ double squaredDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 std::optional<FaceMeeting> meetFace(const SkinInStep& skin, int sample, int triangle) {
   const Vec3 &n = skin.normals[triangle], &m = skin.end_normals[triangle];
   if (!(n.dot(skin.sample_normals[sample]) < LEAST_COSINE)) return std::nullopt;
-  const int vertex = skin.surface.samples[sample].vertex;
-  const auto& [a, b, c] = skin.surface.surface->triangles[triangle];
-  const double size = skin.surface.size[vertex], gap = n.dot(skin.x[vertex] - skin.x[a]);
+  const int vertex = skin.surface.samples[sample].vertex, corner = skin.surface.surface->triangles[triangle][0];
+  const double size = skin.surface.size[vertex], gap = n.dot(skin.x[vertex] - skin.x[corner]);
   if (!(gap > -MAX_DEPTH * size)) return std::nullopt;
-  const double end = m.dot(skin.at(vertex, 1) - skin.at(a, 1));
+  const double end = m.dot(skin.at(vertex, 1) - skin.at(corner, 1));
   if (!(std::min(gap, end) < MARGIN * size)) return std::nullopt;
   const double share = closingTime(gap, end);
-  const Vec3 pa = skin.at(a, share), pb = skin.at(b, share), pc = skin.at(c, share);
-  const Vec3 area = (pb - pa).cross(pc - pa);
-  FaceMeeting met{sample, triangle, area.stableNormalized(), footOf(skin.at(vertex, share), pa, pb, pc, area), 0};
+  FaceMeeting met = footAfter(skin, sample, triangle, share);
+  // What turns so far that along the normal it would be deep from the start is taken as it is then.
+  if (share > 0 && met.gap < 0) met = footAfter(skin, sample, triangle, 0);
   if (!(met.weights.minCoeff() > -RIM) || !faces(skin, sample, n)) return std::nullopt;
-  const Vec3 foot = met.weights[0] * skin.x[a] + met.weights[1] * skin.x[b] + met.weights[2] * skin.x[c];
-  met.gap = met.normal.dot(skin.x[vertex] - foot);
-  if (!(met.gap > -MAX_DEPTH * size)) return std::nullopt;
   return met;
 }
 

@@ -59,9 +59,9 @@ TEST(FullOverlap, OfFallingFragmentsIsMostlyWithinTwoPercentOfAnElement) {
                 young_modulus, overlap[overlap.size() / 2], overlap[overlap.size() * 9 / 10], overlap.back(),
                 reported[reported.size() / 2], reported[reported.size() * 9 / 10], reported.back());
     EXPECT_LT(overlap[overlap.size() / 2], 0.02) << young_modulus;
-    EXPECT_LT(overlap.back(), 0.15) << young_modulus;
+    EXPECT_LT(overlap.back(), 0.2) << young_modulus;
     EXPECT_LT(reported[reported.size() / 2], 0.03) << young_modulus;
-    EXPECT_LT(reported.back(), 0.07) << young_modulus;
+    EXPECT_LT(reported.back(), 0.25) << young_modulus;
   }
 }
 
