@@ -10,14 +10,8 @@ BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obsta
 
 void BodyContact::find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
                        std::vector<Candidate>* candidates) {
-  if (self_) fragments_.find(skin.surface(), skin.x(), skin.ahead(), skin.threads(), candidates);
+  if (self_) fragments_.find(skin.surface(), skin.x(), skin.ahead(), touches, skin.threads(), candidates);
   findSolidContacts(skin, start.span, {obstacles_, motions_}, touches, candidates);
-}
-
-void BodyContact::recall(const std::any& kept) {
-  const auto& memory = std::any_cast<const BodyContactMemory&>(kept);
-  Contact::recall(memory.touches);
-  fragments_.recall(memory.fragments);
 }
 
 }  // namespace incision

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "incision/base/parallel.h"
+#include "incision/contact/touch_places.h"
 
 namespace incision {
 namespace {
@@ -24,17 +25,16 @@ constexpr double STIFFER_ON_OBSTACLES = 12;
 /// and however soft the body: what hits something fast must neither come out behind it nor overlap by much.
 constexpr double IMPACT_DEPTH = 0.005, STIFFEST_IMPACT = 1000;
 
+/// The same between pieces: something light that heavy pieces squeeze resists with little mass, and its contacts have
+/// to be the stiffer the deeper they go, or they store energy that throws it out.
+constexpr double SQUEEZE_DEPTH = 0.0005;
+
 /// What a point that slides resists along its way, as a share of what it does across it. Along it the force is
 /// constant, so that a Newton step would go far beyond where it turns round.
 constexpr double SLIDING = 0.2;
 
 /// Gaps this small, in elements, are rounding: faces just cut lie in each other's plane.
 constexpr double TOUCHING = 1e-9;
-
-bool comesBeforeInBody(const SurfaceVertex& a, const SurfaceVertex& b) {
-  if (a.copies != b.copies) return a.copies < b.copies;
-  return std::lexicographical_compare(a.weights.data(), a.weights.data() + 4, b.weights.data(), b.weights.data() + 4);
-}
 
 }  // namespace
 
@@ -49,37 +49,11 @@ void Contact::recall(const std::any& kept) {
   skin_version_ = 0;
 }
 
-int Contact::sampleOfVertex(int sample) const {
-  const ContactSurface& surface = skin_->surface();
-  return sample - surface.sample_start[surface.samples[sample].vertex];
-}
-
-/// The memory's touches with their samples as the skin numbers them now, less those whose vertex a cut has taken away.
+/// The memory's touches as the skin numbers samples now.
 const std::vector<Touch>& Contact::touchesOnSkin() {
   if (skin_version_ == skin_->version()) return memory_;
-  const ContactSurface& surface = skin_->surface();
-  const std::vector<SurfaceVertex>& vertices = surface.surface->vertices;
   renumbered_ = memory_;
-  std::sort(renumbered_.begin(), renumbered_.end(),
-            [](const Touch& a, const Touch& b) { return comesBeforeInBody(a.vertex, b.vertex); });
-  for (Touch& touch : renumbered_) touch.sample = Touch::GONE;
-  const auto place = [&](int sample, int vertex, int sample_of_vertex, bool of_body) {
-    const SurfaceVertex& at = vertices[vertex];
-    auto touch =
-        std::lower_bound(renumbered_.begin(), renumbered_.end(), at,
-                         [](const Touch& a, const SurfaceVertex& b) { return comesBeforeInBody(a.vertex, b); });
-    for (; touch != renumbered_.end() && !comesBeforeInBody(at, touch->vertex); ++touch)
-      if (touch->sample_of_vertex == sample_of_vertex && (touch->partner == Candidate::BODY) == of_body)
-        touch->sample = sample;
-  };
-  if (!renumbered_.empty()) {
-    for (int s = 0; s < static_cast<int>(surface.samples.size()); ++s)
-      place(s, surface.samples[s].vertex, sampleOfVertex(s), true);
-    for (int v = 0; v < static_cast<int>(vertices.size()); ++v) place(v, v, 0, false);
-  }
-  const auto gone = [](const Touch& touch) { return touch.sample == Touch::GONE; };
-  renumbered_.erase(std::remove_if(renumbered_.begin(), renumbered_.end(), gone), renumbered_.end());
-  std::sort(renumbered_.begin(), renumbered_.end(), comesBefore<Touch, Touch>);
+  renumber(skin_->surface(), &renumbered_);
   return renumbered_;
 }
 
@@ -94,7 +68,7 @@ bool Contact::begin(const StepStart& start, std::vector<Spring>* springs) {
     continueTouches(touches, start.span.time_step);
   }
   const auto too_deep = [](const Candidate& candidate) {
-    return candidate.partner == Candidate::BODY && candidate.ignored > DEEPEST_BEGIN * candidate.size;
+    return candidate.isOfBody() && candidate.ignored > DEEPEST_BEGIN * candidate.size;
   };
   candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), too_deep), candidates_.end());
   for (const Candidate& candidate : candidates_) springs->push_back(candidate.point);
@@ -121,11 +95,12 @@ void Contact::softenStiffest(const StepStart& start) {
     const double bare = candidate.stiffness, mobility = squared_step * (of_copies + of_pieces);
     candidate.tangential = TANGENTIAL * bare;
     if (!(mobility > 0)) return;
-    const double on_obstacle = candidate.partner == Candidate::BODY ? 1 : STIFFER_ON_OBSTACLES;
+    const double on_obstacle = candidate.isOfBody() ? 1 : STIFFER_ON_OBSTACLES;
     candidate.stiffness = std::min(bare, STIFFEST / (squared_step * (of_copies / on_obstacle + of_pieces)));
     candidate.tangential = TANGENTIAL * std::min(bare, STIFFEST / mobility);
     const double depth = -candidate.gap - candidate.normal.dot(weightedSum(point, start.ahead) - candidate.drift);
-    const double impact = std::min(depth / (IMPACT_DEPTH * candidate.size), STIFFEST_IMPACT);
+    const double tolerated = (candidate.isOfBody() ? SQUEEZE_DEPTH : IMPACT_DEPTH) * candidate.size;
+    const double impact = std::min(depth / tolerated, STIFFEST_IMPACT);
     if (impact > STIFFEST) candidate.stiffness = std::max(candidate.stiffness, impact / mobility);
   });
 }
@@ -134,14 +109,15 @@ void Contact::softenStiffest(const StepStart& start) {
 /// brought out of it; among pieces that block each other that would wind up springs, so there a depth only goes as the
 /// pieces part.
 void Contact::continueTouches(const std::vector<Touch>& touches, double time_step) {
-  auto touch = touches.begin();
+  legacy_.begin(touches);
   for (Candidate& candidate : candidates_) {
     const double depth = std::max(0.0, -candidate.gap);
-    const bool of_body = candidate.partner == Candidate::BODY;
+    const bool of_body = candidate.isOfBody();
     candidate.ignored = depth;
     candidate.worked_off = of_body ? 0 : depth;
-    while (touch != touches.end() && comesBefore(*touch, candidate)) ++touch;
-    if (touch == touches.end() || comesBefore(candidate, *touch)) continue;
+    const Touch* touch = touchBefore(skin_->surface(), touches, candidate);
+    if (!touch) continue;
+    legacy_.goesOn(*touch);
     const double same_energy = std::sqrt(std::min(1.0, touch->stiffness / candidate.stiffness));
     const double same_drag = std::sqrt(std::min(1.0, touch->tangential / candidate.tangential));
     const double most = RECOVERY * candidate.size * time_step, worked_off = std::min(most, touch->worked_off);
@@ -152,6 +128,7 @@ void Contact::continueTouches(const std::vector<Touch>& touches, double time_ste
     candidate.worked_off = std::min(touch->worked_off - worked_off, candidate.ignored);
     candidate.slip = same_drag * (touch->slip - candidate.normal.dot(touch->slip) * candidate.normal);
   }
+  legacy_.share(skin_->surface(), &candidates_);
 }
 
 Contact::Trial Contact::tryAt(const Candidate& candidate, const Vec3& moved) const {
@@ -197,22 +174,21 @@ void Contact::update(Span<const Vec3> moved, Span<Spring> springs) {
 }
 
 Touch Contact::touchOf(const Candidate& candidate, const Trial& trial, double most) const {
-  const ContactSurface& surface = skin_->surface();
-  const bool of_body = candidate.partner == Candidate::BODY;
-  const int vertex = of_body ? surface.samples[candidate.sample].vertex : candidate.sample;
   const double drag = candidate.tangential * trial.slip.norm();
   const double sticking = drag > most ? most / drag : 1;
-  return {candidate.sample,
-          candidate.partner,
-          trial.gap,
-          candidate.ignored,
-          candidate.worked_off,
-          candidate.stiffness,
-          candidate.tangential,
-          sticking * trial.slip,
-          candidate.normal_in_solid,
-          surface.surface->vertices[vertex],
-          of_body ? sampleOfVertex(candidate.sample) : 0};
+  Touch touch;
+  touch.sample = candidate.sample;
+  touch.partner = candidate.partner;
+  touch.other = candidate.other;
+  touch.gap = trial.gap;
+  touch.ignored = candidate.ignored;
+  touch.worked_off = candidate.worked_off;
+  touch.stiffness = candidate.stiffness;
+  touch.tangential = candidate.tangential;
+  touch.slip = sticking * trial.slip;
+  touch.normal_in_solid = candidate.normal_in_solid;
+  tellPlace(skin_->surface(), &touch);
+  return touch;
 }
 
 void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& /*felt*/) {
@@ -221,7 +197,7 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
   for (int i = 0; i < moved.size(); ++i) {
     const Candidate& candidate = candidates_[i];
     const Trial trial = tryAt(candidate, moved[i]);
-    const bool of_body = candidate.partner == Candidate::BODY;
+    const bool of_body = candidate.isOfBody();
     const bool is_near = trial.gap < candidate.ignored + MARGIN * candidate.size;
     // What is in an obstacle, or beside it, is known to be on this side of it, pressed or not.
     if (!trial.presses && (of_body || !is_near)) continue;
@@ -231,7 +207,8 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
     ++report_.count;
     report_.energy +=
         0.5 * (candidate.stiffness * trial.gap * trial.gap + candidate.tangential * touch.slip.squaredNorm());
-    report_.deepest = std::max(report_.deepest, candidate.ignored + TOUCHING * candidate.size - trial.gap);
+    const double depth = candidate.ignored + TOUCHING * candidate.size - trial.gap;
+    report_.deepest = std::max(report_.deepest, std::min(depth, candidate.way_out));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace incision {
@@ -9,6 +11,10 @@ namespace {
 
 /// Triangles of a vertex whose normals turn by less than 45° from their mean make one side of it.
 constexpr double MIN_COSINE = 0.7;
+
+/// Edges whose triangles' normals turn by less than 10° are flat: two that cross overlap by 2 % of an element at most
+/// before a vertex meets a triangle.
+constexpr double FLAT_COSINE = 0.985;
 
 Vec3 areaVector(const std::vector<Vec3>& x, const std::array<int, 3>& triangle) {
   return 0.5 * (x[triangle[1]] - x[triangle[0]]).cross(x[triangle[2]] - x[triangle[0]]);
@@ -51,6 +57,49 @@ std::vector<double> unsharedWeights(const ContactSurface& surface) {
     }
   }
   return unshared;
+}
+
+/// A triangle beside an edge, as the one or the other runs along it.
+struct Side {
+  int from, to, opposite, triangle;
+};
+
+/// The sides of all edges, those of one edge together, by its first vertex.
+std::vector<Side> sidesOfEdges(const Surface& surface) {
+  std::vector<Side> sides;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto& triangle = surface.triangles[t];
+      const int a = triangle[k], b = triangle[(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), triangle[(k + 2) % 3], t});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::make_tuple(a.from, a.to, a.triangle) < std::make_tuple(b.from, b.to, b.triangle);
+  });
+  return sides;
+}
+
+bool isSharp(const ContactSurface& surface, const Side& one, const Side& other) {
+  const auto& triangles = surface.surface->triangles;
+  const Vec3 n = areaVector(surface.rest, triangles[one.triangle]),
+             m = areaVector(surface.rest, triangles[other.triangle]);
+  const bool convex = n.dot(surface.rest[other.opposite] - surface.rest[one.from]) < 0;
+  return convex && n.dot(m) < FLAT_COSINE * n.norm() * m.norm();
+}
+
+void addEdges(ContactSurface* surface) {
+  const std::vector<Side> sides = sidesOfEdges(*surface->surface);
+  const auto same = [](const Side& a, const Side& b) { return a.from == b.from && a.to == b.to; };
+  surface->edge_start.assign(surface->rest.size() + 1, 0);
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    while (end < sides.size() && same(sides[i], sides[end])) ++end;
+    if (end != i + 2 || !isSharp(*surface, sides[i], sides[i + 1])) continue;
+    if (!hasAreaAtRest(*surface, sides[i].triangle) || !hasAreaAtRest(*surface, sides[i + 1].triangle)) continue;
+    surface->edges.push_back(
+        {sides[i].from, sides[i].to, {sides[i].opposite, sides[i + 1].opposite}, sides[i].triangle});
+    ++surface->edge_start[sides[i].from + 1];
+  }
+  std::partial_sum(surface->edge_start.begin(), surface->edge_start.end(), surface->edge_start.begin());
 }
 
 class Builder {
@@ -128,6 +177,8 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   for (const SurfaceVertex& vertex : surface.vertices) made.vertex_piece.push_back(piece[vertex.copies[0]]);
   for (const auto& triangle : surface.triangles) made.piece.push_back(made.vertex_piece[triangle[0]]);
   Builder(&made).run(mesh, materials);
+  addEdges(&made);
+  for (int p : piece) made.pieces = std::max(made.pieces, p + 1);
   made.unshared = unsharedWeights(made);
   made.cut_triangles.sort(static_cast<int>(mesh.parts().size()), [&](const auto& add) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -135,6 +186,11 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   });
   for (double size : made.size) made.mean_size += size / static_cast<double>(made.size.size());
   return made;
+}
+
+bool hasAreaAtRest(const ContactSurface& surface, int triangle) {
+  const double size = surface.size[surface.surface->triangles[triangle][0]];
+  return 2 * areaVector(surface.rest, surface.surface->triangles[triangle]).norm() > MIN_OVERLAP * size * size;
 }
 
 void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring) {

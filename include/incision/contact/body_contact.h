@@ -8,18 +8,6 @@
 
 namespace incision {
 
-/// What of a body's contacts outlasts a step.
-struct BodyContactMemory {
-  std::vector<Touch> touches;
-  FragmentFinder::Memory fragments;
-};
-
-template <class Archive>
-void serialize(Archive& archive, BodyContactMemory& memory) {
-  auto& [touches, fragments] = memory;
-  archive(touches, fragments);
-}
-
 /// Contact of a body with obstacles and with itself.
 class BodyContact : public Contact {
  public:
@@ -28,14 +16,6 @@ class BodyContact : public Contact {
               ContactSkin* skin);
 
   void changed(const CutMesh& /*mesh*/) override { fragments_.surfaceChanged(); }
-  void stepFailed() override { fragments_.stepFailed(); }
-
-  std::any keep() const override { return BodyContactMemory{memory_, fragments_.keep()}; }
-  void recall(const std::any& kept) override;
-  void write(const std::any& kept, ArchiveWriter* archive) const override {
-    writeKept<BodyContactMemory>(kept, archive);
-  }
-  std::any read(ArchiveReader* archive) const override { return readKept<BodyContactMemory>(archive); }
 
  protected:
   void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,

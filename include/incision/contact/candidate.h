@@ -1,5 +1,9 @@
 #pragma once
 
+#include <limits>
+#include <vector>
+
+#include "incision/contact/contact_surface.h"
 #include "incision/solver/spring.h"
 #include "incision/surface/surface.h"
 
@@ -28,26 +32,30 @@ inline constexpr double DEEPEST_BEGIN = 0.05;
 
 /// A place where a point of the surface may touch a plane in this step.
 struct Candidate {
-  int sample;            ///< of the ContactSurface; for obstacles the vertex
-  int partner;           ///< the obstacle, or BODY
-  Vec3 normal;           ///< n, unit, from the partner to the point
-  double gap;            ///< g [m] when the step starts, negative inside
-  double ignored;        ///< depth that the force leaves alone [m]
-  double worked_off;     ///< how much of it is still to be worked off [m]
+  int sample;      ///< of the ContactSurface; for obstacles the vertex, for EDGES the first edge
+  int partner;     ///< the obstacle, BODY: the body's own face, or EDGES: two of the body's edges
+  int other = -1;  ///< for EDGES the second edge, for BODY a vertex of the face
+  Vec3 normal;     ///< n, unit, from the partner to the point
+  double gap;      ///< g [m] when the step starts, negative inside
+  double way_out = std::numeric_limits<double>::infinity();  ///< a bound on how deep it counts, by another way out [m]
+  double ignored;                                            ///< depth that the force leaves alone [m]
+  double worked_off;                                         ///< how much of it is still to be worked off [m]
   Vec3 drift;            ///< of the partner in the step, where it is an obstacle [m]
   double stiffness;      ///< k [N/m]
   double tangential;     ///< k_t [N/m]
   double size;           ///< h of the elements there [m]
   Vec3 slip;             ///< s, tangential: how far the point has dragged on the partner, elastically [m]
-  Vec3 normal_in_solid;  ///< the normal in the frame of the solid
+  Vec3 normal_in_solid;  ///< the normal in the frame of the solid; that of the body itself where it is the partner
   Spring point;          ///< y: the point less what it meets on the body; its stiffness and force are for update()
 
-  static constexpr int BODY = -1;
+  static constexpr int BODY = -1, EDGES = -2;
+
+  bool isOfBody() const { return partner < 0; }
 };
 
 /// What a contact leaves for the next step.
 struct Touch {
-  int sample, partner;           ///< of the candidate
+  int sample, partner, other;    ///< of the candidate
   double gap;                    ///< at the end of the step, less the depth that is ignored [m]
   double ignored, worked_off;    ///< of the candidate [m]
   double stiffness, tangential;  ///< of the candidate [N/m]
@@ -55,16 +63,18 @@ struct Touch {
   Vec3 normal_in_solid;          ///< of the candidate
   SurfaceVertex vertex;          ///< where it is, and
   int sample_of_vertex;          ///< which of the vertex's samples: so that it is found again after a cut
+  SurfaceVertex other_vertex;    ///< that of the face, or where the second edge begins, and
+  int edge_of_other;             ///< which of those it is that begin there
 
   static constexpr int GONE = -1;  ///< a sample that a cut has taken away
 };
 
 template <class Archive>
 void serialize(Archive& archive, Touch& touch) {
-  auto& [sample, partner, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
-         sample_of_vertex] = touch;
-  archive(sample, partner, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
-          sample_of_vertex);
+  auto& [sample, partner, other, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
+         sample_of_vertex, other_vertex, edge_of_other] = touch;
+  archive(sample, partner, other, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
+          sample_of_vertex, other_vertex, edge_of_other);
 }
 
 /// Contacts are in the order of their partners, and then of their samples.
@@ -72,5 +82,9 @@ template <typename T, typename U>
 bool comesBefore(const T& a, const U& b) {
   return a.partner != b.partner ? a.partner < b.partner : a.sample < b.sample;
 }
+
+/// The touch of the last step that a candidate goes on from, or null: of those that its sample had, that with the same
+/// piece or the same edge.
+const Touch* touchBefore(const ContactSurface& surface, const std::vector<Touch>& touches, const Candidate& candidate);
 
 }  // namespace incision

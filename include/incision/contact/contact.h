@@ -5,6 +5,7 @@
 #include "incision/contact/candidate.h"
 #include "incision/contact/contact_report.h"
 #include "incision/contact/contact_skin.h"
+#include "incision/contact/legacy.h"
 #include "incision/solver/coupler.h"
 
 namespace incision {
@@ -49,7 +50,6 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   void softenStiffest(const StepStart& start);
   const std::vector<Touch>& touchesOnSkin();
   void continueTouches(const std::vector<Touch>& touches, double time_step);
-  int sampleOfVertex(int sample) const;
   Touch touchOf(const Candidate& candidate, const Trial& trial, double most) const;
 
   double friction_;
@@ -57,7 +57,8 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   ContactReport report_;
   std::uint64_t skin_version_ = 0;  // in which the memory numbers its samples; 0: in some other
   // Of this step:
-  std::vector<Touch> renumbered_;      // the memory's touches, by partner and sample of another skin
+  std::vector<Touch> renumbered_;  // the memory's touches, by partner and sample of another skin
+  Legacy legacy_;
   std::vector<Candidate> candidates_;  // by partner and sample
   std::vector<double> most_;           // friction's bound on each [N]
 };

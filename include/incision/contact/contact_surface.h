@@ -20,6 +20,13 @@ struct ContactSurface {
     double area;      ///< a third of theirs at rest [m²]
   };
 
+  /// An edge at which the surface is sharp and convex at rest: one that can meet another edge.
+  struct Edge {
+    int from, to;                 ///< vertices, from < to
+    std::array<int, 2> opposite;  ///< the third corners of its two triangles
+    int triangle;                 ///< one of these
+  };
+
   const Surface* surface = nullptr;
   std::vector<Vec3> rest;             ///< of each vertex [m]
   std::vector<double> size;           ///< of the elements round each vertex, the mean of their sizes [m]
@@ -28,6 +35,9 @@ struct ContactSurface {
   std::vector<Sample> samples;        ///< by vertex
   std::vector<int> sample_start;  ///< those of vertex v are samples[sample_start[v]] … samples[sample_start[v + 1] − 1]
   std::vector<int> around;        ///< triangles
+  std::vector<Edge> edges;        ///< by their first vertex
+  std::vector<int> edge_start;    ///< those of vertex v are edges[edge_start[v]] … edges[edge_start[v + 1] − 1]
+  int pieces = 0;                 ///< how many there are of
   std::vector<int> piece;         ///< of each triangle
   std::vector<int> vertex_piece;  ///< of each vertex
   /// Of each vertex, the share of its weights on copies that no other vertex of its piece at its place has: what is
@@ -40,6 +50,10 @@ struct ContactSurface {
 /// `surface` must outlive the result; `piece` of each copy.
 ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const Materials& materials,
                                   const std::vector<int>& piece);
+
+/// Whether a triangle has an area at rest. Those that have none close the surface between parts that neither hang
+/// together nor are severed; their corners may belong to several parts, to more copies than a spring has room for.
+bool hasAreaAtRest(const ContactSurface& surface, int triangle);
 
 /// Adds `sign` times the position of a vertex to what a spring acts on.
 void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring);

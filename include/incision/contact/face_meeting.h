@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "incision/base/lists.h"
+#include "incision/contact/near_pairs.h"
+#include "incision/contact/skin_in_step.h"
+
+namespace incision {
+
+/// A sample and the triangle that it is before, or just behind.
+struct FaceMeeting {
+  int sample, triangle;
+  Vec3 normal;   ///< of the triangle when they meet in the step, or are nearest to that; unit
+  Vec3 weights;  ///< of the triangle's corners at the foot of the sample then
+  double gap;    ///< along the normal when the step starts [m]
+};
+
+/// Whether a sample may meet a triangle in the step: it faces it, or its vertex is the foremost of all around it, and
+/// its foot is on the triangle when it comes to its plane.
+std::optional<FaceMeeting> meetFace(const SkinInStep& skin, int sample, int triangle);
+
+/// How deep a vertex is inside a surface.
+struct Inside {
+  double depth;  ///< 0 outside [m]
+  Vec3 normal;   ///< of the nearest triangle
+};
+
+/// Of a closed surface of which these are all triangles near a vertex. Inside it is behind the nearest, and where an
+/// edge or a corner is nearest, behind that one of its triangles which faces it most.
+Inside insideOf(const SkinInStep& skin, int vertex, Span<const NearPairs::SampleTriangle> near);
+
+}  // namespace incision

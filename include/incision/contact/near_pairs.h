@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "incision/contact/contact_surface.h"
+#include "incision/contact/piece_frames.h"
+#include "incision/contact/piece_trees.h"
+
+namespace incision {
+
+/// Which samples and triangles, and which edges, of two pieces, or of one and itself, may meet in a step. What was
+/// found stays as long as the two have moved relative to each other by less than the search looked beyond its reach: it
+/// holds all that is within reach, and more, so that it makes no difference when the search was.
+class NearPairs {
+ public:
+  struct SampleTriangle {
+    int sample, triangle;
+  };
+  struct Pair {
+    int a, b;                                ///< pieces, a ≤ b
+    std::vector<SampleTriangle> faces;       ///< by sample, then by triangle
+    std::vector<std::pair<int, int>> edges;  ///< of a and of b
+
+   private:
+    friend class NearPairs;
+    PieceFrames::Frame from_a, from_b;  // where they were at the search
+    int generation_a = 0, generation_b = 0;
+    double off = 0;     // of both from their shapes at the search [m]
+    double margin = 0;  // by how much it looked further [m]
+  };
+
+  void surfaceChanged(const ContactSurface& surface);
+
+  /// `reach`: how near two things must come in the step to count, in elements.
+  void update(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double reach,
+              int threads);
+
+  /// Those of the step, by their pieces.
+  const std::vector<Pair*>& active() const { return active_; }
+
+  /// How many pairs have been searched since the surface changed.
+  int searches() const { return searches_; }
+
+ private:
+  void findClosePieces(double reach);
+  double needed(const Pair& pair) const;
+  bool isFresh(const Pair& pair) const;
+  void search(const ContactSurface& surface, const std::vector<Vec3>& x, double reach, Pair* pair) const;
+  void addClose(const ContactSurface& surface, const std::vector<Vec3>& x, double further, int t, int other,
+                Pair* pair) const;
+
+  PieceFrames frames_;
+  PieceTrees trees_;
+  Lists<int> samples_of_, edges_of_;  // each triangle: those that it stands for
+  std::vector<char> has_area_;        // of each triangle
+  double base_margin_ = 0;            // [m]
+  int searches_ = 0;
+  std::vector<std::vector<std::unique_ptr<Pair>>> pairs_;  // of each piece, those with later ones
+  std::vector<std::pair<double, int>> sweep_;              // pieces by where they begin along x
+  std::vector<std::pair<int, int>> close_;
+  std::vector<Pair*> active_, stale_;
+  std::vector<int> to_place_;
+};
+
+}  // namespace incision

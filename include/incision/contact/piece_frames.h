@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "incision/base/lists.h"
+#include "incision/contact/contact_surface.h"
+
+namespace incision {
+
+/// How each piece moves as a rigid body, and by how much it does not, from one search for contacts to the next.
+class PieceFrames {
+ public:
+  /// Where a piece is: s ↦ turn s + centre takes its shape there.
+  struct Frame {
+    Mat3 turn = Mat3::Identity();
+    Vec3 centre = Vec3::Zero();
+  };
+
+  /// A piece when a step starts, at [0], and where it would be when the step ends, at [1].
+  struct Piece {
+    std::array<Frame, 2> frames;
+    std::array<double, 2> off = {0, 0};  ///< how far vertices are from where the shape has them, the most [m]
+    Eigen::AlignedBox3d way;             ///< round all that it passes in the step
+    Eigen::AlignedBox3d shape;           ///< round its shape
+    int generation = 0;                  ///< of the shape, which is taken anew when it has changed by much
+    double size = 0;                     ///< the largest of its vertices' [m]
+  };
+
+  void surfaceChanged(const ContactSurface& surface);
+
+  /// The shape of a piece that is off by more than `most` [m] is taken anew.
+  void update(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double most, int threads);
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+ private:
+  void follow(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double most, int piece);
+  void takeShape(const std::vector<Vec3>& x, int piece);
+  void fit(int piece, int end, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead);
+
+  Lists<int> vertices_;      // of each piece
+  std::vector<Vec3> shape_;  // of each piece, its vertices in the order of vertices_, about their mean [m]
+  std::vector<Piece> pieces_;
+};
+
+/// The most that a point of piece a, or of piece b as seen from a, has moved relative to the other since they were at
+/// `from_a` and `from_b`, until the start of the step, end = 0, or its end, end = 1 [m].
+double movedApart(const PieceFrames::Piece& a, const PieceFrames::Piece& b, const PieceFrames::Frame& from_a,
+                  const PieceFrames::Frame& from_b, int end);
+
+}  // namespace incision

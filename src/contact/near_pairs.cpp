@@ -1,0 +1,192 @@
+#include "incision/contact/near_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "incision/base/parallel.h"
+
+namespace incision {
+namespace {
+
+/// How far, in elements, a search looks beyond its reach: less and it comes often, more and each step has more to look
+/// through.
+constexpr double FURTHER = 0.12;
+
+/// A piece's shape is taken anew when a vertex is off by more than this share of that.
+constexpr double SHAPE_SHARE = 0.2;
+
+/// What a search looks further for pieces that turn together: between the two ends of a step their points go straight,
+/// and so nearer to each other than they are at either end, by up to so much with a turn of a radian.
+constexpr double TURNING = 1.15;
+
+/// At rest closer than this, in elements, two points of a piece are neighbours, and what lies behind is material.
+constexpr double NEAR_AT_REST = 3;
+
+/// Gaps at rest, in elements, that are rounding: faces born together.
+constexpr double SAME_PLANE = 1e-6;
+
+/// At rest closer than this, in elements, two points of one flat side do not meet: it would have to fold in between.
+constexpr double BESIDE_AT_REST = 1.5;
+
+/// The cosine of the angle between triangles of one flat side is more.
+constexpr double ONE_SIDE = 0.7;
+
+Vec3 restArea(const ContactSurface& surface, int triangle) {
+  const auto& [a, b, c] = surface.surface->triangles[triangle];
+  return (surface.rest[b] - surface.rest[a]).cross(surface.rest[c] - surface.rest[a]);
+}
+
+/// Whether a sample and a triangle of one piece never meet: there was material in between at rest, behind the triangle,
+/// or they lie beside each other.
+bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sample, int triangle) {
+  const Vec3 from = surface.rest[sample.vertex] - surface.rest[surface.surface->triangles[triangle][0]];
+  const double size = surface.size[sample.vertex], distance = from.norm();
+  if (distance >= NEAR_AT_REST * size) return false;
+  const Vec3 N = restArea(surface, triangle);
+  if (N.dot(from) < -SAME_PLANE * size * N.norm()) return true;
+  const Vec3 M = restArea(surface, surface.around[sample.first]);
+  return distance < BESIDE_AT_REST * size && N.dot(M) > ONE_SIDE * N.norm() * M.norm();
+}
+
+bool areClose(const ContactSurface::Edge& e, const ContactSurface::Edge& f, const std::vector<Vec3>& x, double reach) {
+  const auto ends_before = [&](const ContactSurface::Edge& g, const ContactSurface::Edge& h) {
+    return x[g.from].cwiseMax(x[g.to]).array() + reach < x[h.from].cwiseMin(x[h.to]).array();
+  };
+  return !ends_before(e, f).any() && !ends_before(f, e).any();
+}
+
+}  // namespace
+
+void NearPairs::surfaceChanged(const ContactSurface& surface) {
+  frames_.surfaceChanged(surface);
+  trees_.build(surface);
+  const int triangles = static_cast<int>(surface.piece.size());
+  has_area_.resize(triangles);
+  for (int t = 0; t < triangles; ++t) has_area_[t] = hasAreaAtRest(surface, t);
+  samples_of_.sort(triangles, [&](const auto& add) {
+    for (std::size_t s = 0; s < surface.samples.size(); ++s)
+      add(surface.around[surface.samples[s].first], static_cast<int>(s));
+  });
+  edges_of_.sort(triangles, [&](const auto& add) {
+    for (std::size_t e = 0; e < surface.edges.size(); ++e) add(surface.edges[e].triangle, static_cast<int>(e));
+  });
+  base_margin_ = FURTHER * surface.mean_size;
+  searches_ = 0;
+  pairs_.clear();
+  pairs_.resize(surface.pieces);
+  active_.clear();
+}
+
+void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
+                       double reach, int threads) {
+  frames_.update(x, ahead, SHAPE_SHARE * base_margin_, threads);
+  findClosePieces(reach);
+  active_.clear();
+  stale_.clear();
+  to_place_.clear();
+  for (const auto& [a, b] : close_) {
+    std::vector<std::unique_ptr<Pair>>& of_a = pairs_[a];
+    auto at =
+        std::lower_bound(of_a.begin(), of_a.end(), b, [](const auto& pair, int piece) { return pair->b < piece; });
+    if (at == of_a.end() || (*at)->b != b) {
+      at = of_a.insert(at, std::make_unique<Pair>());
+      (*at)->a = a;
+      (*at)->b = b;
+    }
+    active_.push_back(at->get());
+    if (isFresh(**at)) continue;
+    stale_.push_back(at->get());
+    to_place_.insert(to_place_.end(), {a, b});
+  }
+  std::sort(to_place_.begin(), to_place_.end());
+  to_place_.erase(std::unique(to_place_.begin(), to_place_.end()), to_place_.end());
+  parallelFor(static_cast<int>(to_place_.size()), threads, [&](int i) { trees_.place(surface, x, to_place_[i]); });
+  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) { search(surface, x, reach, stale_[i]); });
+  searches_ += static_cast<int>(stale_.size());
+}
+
+/// The pieces whose ways in the step come within reach of each other: those that begin along x before another ends.
+void NearPairs::findClosePieces(double reach) {
+  const std::vector<PieceFrames::Piece>& pieces = frames_.pieces();
+  sweep_.clear();
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (!pieces[p].way.isEmpty()) sweep_.emplace_back(pieces[p].way.min().x(), static_cast<int>(p));
+  std::sort(sweep_.begin(), sweep_.end());
+  close_.clear();
+  double widest = 0;
+  for (const PieceFrames::Piece& piece : pieces) widest = std::max(widest, reach * piece.size);
+  for (std::size_t i = 0; i < sweep_.size(); ++i) {
+    const int a = sweep_[i].second;
+    close_.emplace_back(a, a);
+    for (std::size_t k = i + 1; k < sweep_.size() && sweep_[k].first <= pieces[a].way.max().x() + widest; ++k) {
+      const int b = sweep_[k].second;
+      const double near = reach * std::max(pieces[a].size, pieces[b].size);
+      if ((pieces[a].way.min().array() <= pieces[b].way.max().array() + near).all() &&
+          (pieces[b].way.min().array() <= pieces[a].way.max().array() + near).all())
+        close_.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(close_.begin(), close_.end());
+}
+
+/// How far points of the two can have moved relative to each other since the search, by the end of the step [m].
+double NearPairs::needed(const Pair& pair) const {
+  const PieceFrames::Piece &a = frames_.pieces()[pair.a], &b = frames_.pieces()[pair.b];
+  double most = 0;
+  for (int end = 0; end < 2; ++end) {
+    const double rigid = pair.a == pair.b ? 0 : movedApart(a, b, pair.from_a, pair.from_b, end);
+    most = std::max(most, rigid + a.off[end] + b.off[end]);
+  }
+  return most + pair.off;
+}
+
+bool NearPairs::isFresh(const Pair& pair) const {
+  const PieceFrames::Piece &a = frames_.pieces()[pair.a], &b = frames_.pieces()[pair.b];
+  return pair.generation_a == a.generation && pair.generation_b == b.generation && needed(pair) < pair.margin;
+}
+
+void NearPairs::search(const ContactSurface& surface, const std::vector<Vec3>& x, double reach, Pair* pair) const {
+  const PieceFrames::Piece &a = frames_.pieces()[pair->a], &b = frames_.pieces()[pair->b];
+  pair->faces.clear();
+  pair->edges.clear();
+  pair->from_a = a.frames[0];
+  pair->from_b = b.frames[0];
+  pair->generation_a = a.generation;
+  pair->generation_b = b.generation;
+  pair->off = a.off[0] + b.off[0];
+  pair->margin = base_margin_ + needed(*pair);
+  const double further = TURNING * (reach * std::max(a.size, b.size) + pair->margin);
+  trees_.forEachClose(pair->a, pair->b, further, [&](int t, int other) {
+    if (t == other) return;
+    addClose(surface, x, further, t, other, pair);
+    addClose(surface, x, further, other, t, pair);
+    if (pair->a == pair->b) return;
+    for (int e : edges_of_[t])
+      for (int f : edges_of_[other])
+        if (areClose(surface.edges[e], surface.edges[f], x, further)) pair->edges.emplace_back(e, f);
+  });
+  std::sort(pair->faces.begin(), pair->faces.end(), [](const SampleTriangle& s, const SampleTriangle& t) {
+    return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);
+  });
+  std::sort(pair->edges.begin(), pair->edges.end());
+}
+
+/// Adds the samples that a triangle stands for and the other one, where they are so near.
+void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>& x, double further, int t, int other,
+                         Pair* pair) const {
+  if (!has_area_[other]) return;
+  const auto& [a, b, c] = surface.surface->triangles[other];
+  for (int s : samples_of_[t]) {
+    const int vertex = surface.samples[s].vertex;
+    if (vertex == a || vertex == b || vertex == c) continue;
+    const Vec3 lower = x[a].cwiseMin(x[b]).cwiseMin(x[c]), upper = x[a].cwiseMax(x[b]).cwiseMax(x[c]);
+    if ((lower.array() > x[vertex].array() + further).any() || (upper.array() < x[vertex].array() - further).any())
+      continue;
+    const Vec3 n = (x[b] - x[a]).cross(x[c] - x[a]);
+    if (std::abs(n.dot(x[vertex] - x[a])) > further * n.norm()) continue;
+    if (pair->a != pair->b || !staysApart(surface, surface.samples[s], other)) pair->faces.push_back({s, other});
+  }
+}
+
+}  // namespace incision
