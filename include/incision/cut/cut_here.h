@@ -20,9 +20,10 @@ struct CutSought {
 /// Whether there is a cut at a place in a part. Cuts are the faces that cracks have cut into parts, and the faces of
 /// the mesh that they have severed, of this part and of the parts whose elements share a node with its own.
 ///
-/// A cut of the part itself is there when the point is near the plane of its face. A cut of another part is there when
-/// the point moreover is not beyond the face's rim: it is no farther from the face along the cut than across. So a part
-/// has the cuts that it touches with an edge or a node alone, and what comes after a cut's end has none.
+/// A cut into the part itself is there when the point is near the plane of its face. A cut of another part, or one along
+/// a face of the mesh, is there when the point moreover is not beyond the rim of what is cut: it is no farther from that
+/// along the cut than across. So a part has the cuts that it touches with an edge or a node alone, what comes after a
+/// cut's end has none, and neither has what of a face of the mesh is not severed yet.
 bool isCutHere(const CutMesh& mesh, int part, const CutSought& sought);
 
 /// Whether the crack φ = 0, φ being given at the nodes of the part's element [m], would be an earlier cut again: its

@@ -76,14 +76,15 @@ bool liesInFace(const std::vector<Barycentric>& polygon) {
   return false;
 }
 
-/// Whether a section of a part lies in a cut that was there before, so that the blade runs in that one.
-bool runsInSlit(const CutMesh& mesh, const Materials& materials, int p, const std::vector<Barycentric>& section,
+/// Whether a section of a part, or what it has in common with another on a face of the mesh, lies in a cut that was
+/// there before, so that the blade runs in that one.
+bool runsInSlit(const CutMesh& mesh, const Materials& materials, int p, const std::vector<Barycentric>& polygon,
                 int growing) {
   const int element = mesh.parts()[p].element;
   const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
   CutSought sought;
-  sought.point = resting(polygonCentroid(section));
-  sought.normal = vectorArea(section, resting);
+  sought.point = resting(polygonCentroid(polygon));
+  sought.normal = vectorArea(polygon, resting);
   sought.distance = SLIT_REACH * materials.size(element);
   sought.cosine = SLIT_COSINE;
   sought.growing = growing;
@@ -155,7 +156,7 @@ Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
   CrackField crack = field(mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
     return covers(mesh.parts()[part], polygon, crack.phi, ties->progressive()) &&
-           (liesInFace(polygon) || !runsInSlit(mesh, materials, part, polygon, memory_.crack));
+           !runsInSlit(mesh, materials, part, polygon, memory_.crack);
   };
   const int before = mesh.numCopies();
   const Insertion done = door->insert(crack);
