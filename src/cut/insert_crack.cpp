@@ -66,7 +66,7 @@ struct CutMesh::Plan {
 
 Insertion CutMesh::insert(const CrackField& crack) {
   Insertion done;
-  const int number = crack.crack < 0 ? num_cracks_ : crack.crack;
+  const int number = crack.crack.value_or(num_cracks_);
   std::vector<Plan> plans = plan(crack, number);
   for (const Plan& plan : plans) {
     done.parts_split += static_cast<int>(plan.splits.size());

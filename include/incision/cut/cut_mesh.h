@@ -84,7 +84,7 @@ void serialize(Archive& archive, CutPart& part) {
 struct FacePair {
   int part, other;
   std::optional<int> severed_by;  ///< the crack that runs between them
-  FacePolygon polygon;  ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
+  FacePolygon polygon;            ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
 };
 
 /// What inserting a crack did.
