@@ -37,7 +37,7 @@ ComponentFinder::ComponentFinder(const CutMesh& mesh, const std::vector<int>& no
   pairs_.resize(faces.size());
   parallelFor(static_cast<int>(faces.size()), mesh.threads(), [&](int i) {
     for (const FacePair& pair : mesh_.facePairs(faces[i].first, faces[i].second))
-      if (!pair.severed) pairs_[i].emplace_back(pair.part, pair.other);
+      if (!pair.severed_by) pairs_[i].emplace_back(pair.part, pair.other);
   });
 }
 

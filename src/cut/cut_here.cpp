@@ -13,7 +13,8 @@ namespace {
 /// How far beyond a face's rim still counts as over it, as a share of the distance asked for: rounding.
 constexpr double RIM = 1e-6;
 
-/// Calls f(facet, crack) for the faces along which a part is cut, until one returns true. Returns whether one did.
+/// Calls f(facet, crack) for the faces along which a part is cut, until one returns true. Returns whether one did. Of a
+/// face of the mesh, the crack may have severed some of what lies across only.
 template <typename Function>
 bool anyCutFacet(const CutMesh& mesh, int part, const Function& f) {
   if (mesh.parts()[part].detail < 0) return false;
@@ -29,7 +30,7 @@ bool anyCutFacet(const CutMesh& mesh, int part, const Function& f) {
 class CutFace {
  public:
   CutFace(const CutMesh& mesh, int part, const Facet& facet)
-      : mesh_(mesh), polytope_(mesh.polytope(part)), facet_(facet), element_(mesh.parts()[part].element) {
+      : mesh_(mesh), polytope_(mesh.polytope(part)), facet_(facet), part_(part), element_(mesh.parts()[part].element) {
     base_ = corner(0);
     normal_ = vectorAreaOf(facet.corners.size(), [&](std::size_t i) { return corner(i); }).stableNormalized();
   }
@@ -43,17 +44,19 @@ class CutFace {
 
   /// How far a point is from the face along its plane [m]; 0 where it lies over the face.
   double beyondRim(const Vec3& point) const {
-    double inside = 1, nearest = std::numeric_limits<double>::infinity();
-    const std::size_t count = facet_.corners.size();
-    const Vec3 image = point - normal_.dot(point - base_) * normal_;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 from = corner(i), edge = corner((i + 1) % count) - from;
-      inside = std::min(inside, normal_.dot(edge.cross(image - from)));
-      const double length = edge.squaredNorm();
-      const double share = length > 0 ? std::clamp(edge.dot(image - from) / length, 0.0, 1.0) : 0;
-      nearest = std::min(nearest, (image - from - share * edge).norm());
+    return beyondRim(point, facet_.corners.size(), [&](std::size_t i) { return corner(i); });
+  }
+
+  /// How far a point is along the plane of a face of the mesh from what a crack has severed of it [m].
+  double beyondSevered(const Vec3& point, int crack) const {
+    double beyond = std::numeric_limits<double>::infinity();
+    for (const FacePair& pair : mesh_.facePairs(element_, facet_.face)) {
+      if (pair.part != part_ || pair.severed_by != crack) continue;
+      const std::vector<Barycentric> polygon = inElement(pair.polygon, facet_.face);
+      beyond = std::min(
+          beyond, beyondRim(point, polygon.size(), [&](std::size_t i) { return atRest(mesh_, element_, polygon[i]); }));
     }
-    return inside >= 0 ? 0 : nearest;
+    return beyond;
   }
 
   /// Largest |φ| over the corners, φ being given at the nodes of the face's element.
@@ -66,10 +69,25 @@ class CutFace {
  private:
   Vec3 corner(std::size_t i) const { return atRest(mesh_, element_, polytope_.corners[facet_.corners[i]]); }
 
+  /// How far a point is along the plane from a polygon in it, given by its corners counter-clockwise round the normal.
+  template <typename Corner>
+  double beyondRim(const Vec3& point, std::size_t count, const Corner& place) const {
+    double inside = 1, nearest = std::numeric_limits<double>::infinity();
+    const Vec3 image = point - normal_.dot(point - base_) * normal_;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 from = place(i), edge = place((i + 1) % count) - from;
+      inside = std::min(inside, normal_.dot(edge.cross(image - from)));
+      const double length = edge.squaredNorm();
+      const double share = length > 0 ? std::clamp(edge.dot(image - from) / length, 0.0, 1.0) : 0;
+      nearest = std::min(nearest, (image - from - share * edge).norm());
+    }
+    return inside >= 0 ? 0 : nearest;
+  }
+
   const CutMesh& mesh_;
   const Polytope& polytope_;
   const Facet& facet_;
-  int element_;
+  int part_, element_;
   Vec3 base_, normal_;
 };
 
@@ -99,14 +117,21 @@ bool isCutHere(const CutMesh& mesh, int part, const CutSought& sought) {
   const auto near = [&](const CutFace& face) {
     return face.fromPlane(sought.point) < sought.distance && face.turnedBy(sought.normal, sought.cosine);
   };
-  if (anyCutFacet(mesh, part, [&](const Facet& facet, int) { return near(CutFace(mesh, part, facet)); })) return true;
+  const auto isOver = [&](const CutFace& face, double beyond) {
+    return beyond <= std::max(face.fromPlane(sought.point), RIM * sought.distance);
+  };
+  const auto isOwn = [&](const Facet& facet, int crack) {
+    const CutFace face(mesh, part, facet);
+    return near(face) && (facet.face < 0 || isOver(face, face.beyondSevered(sought.point, crack)));
+  };
+  if (anyCutFacet(mesh, part, isOwn)) return true;
 
   const auto besideCutOf = [&](int other) {
     return anyCutFacet(mesh, other, [&](const Facet& facet, int crack) {
       if (crack == sought.growing) return false;
       const CutFace face(mesh, other, facet);
-      return near(face) &&
-             face.beyondRim(sought.point) <= std::max(face.fromPlane(sought.point), RIM * sought.distance);
+      if (!near(face) || !isOver(face, face.beyondRim(sought.point))) return false;
+      return facet.face < 0 || isOver(face, face.beyondSevered(sought.point, crack));
     });
   };
   return anyNeighbour(mesh, mesh.parts()[part].element, [&](int element) {

@@ -79,7 +79,7 @@ std::vector<FacePair> CutMesh::facePairs(int element, int face) const {
   if (across < 0) return pairs;
   int back = 0;
   while (topology_.neighbours[across][back] != element) ++back;
-  if (isWhole(element) && isWhole(across)) return {{element, across, false, WHOLE_FACE}};
+  if (isWhole(element) && isWhole(across)) return {{element, across, std::nullopt, WHOLE_FACE}};
 
   const auto& nodes = FACE_NODES[face];
   std::array<int, 3> same{};  // the face's nodes, as the neighbour numbers them
@@ -98,17 +98,17 @@ std::vector<FacePair> CutMesh::facePairs(int element, int face) const {
       if (!p.mayMeet(q)) continue;
       FacePolygon common = overlap(p.polygon, q.polygon);
       if (faceShare(common) > MIN_OVERLAP)
-        pairs.push_back({p.part, q.part, severed(p.part, face, q.part, back), std::move(common)});
+        pairs.push_back({p.part, q.part, severedBy(p.part, face, q.part, back), std::move(common)});
     }
   return pairs;
 }
 
-bool CutMesh::severed(int part, int face, int other, int other_face) const {
-  if (parts_[part].detail < 0 || parts_[other].detail < 0) return false;
+std::optional<int> CutMesh::severedBy(int part, int face, int other, int other_face) const {
+  if (parts_[part].detail < 0 || parts_[other].detail < 0) return std::nullopt;
   for (const FaceSide& a : detail(part).face_sides)
     for (const FaceSide& b : detail(other).face_sides)
-      if (a.face == face && b.face == other_face && oppositeSides(a, b)) return true;
-  return false;
+      if (a.face == face && b.face == other_face && oppositeSides(a, b)) return a.crack;
+  return std::nullopt;
 }
 
 void CutMesh::recall(const Memory& memory) {

@@ -1,5 +1,7 @@
 #include "incision/cut/face_polygon.h"
 
+#include "incision/mesh/tet_mesh.h"
+
 namespace incision {
 namespace {
 
@@ -9,6 +11,13 @@ double orientation(const FacePoint& a, const FacePoint& b, const FacePoint& c) {
 }
 
 }  // namespace
+
+std::vector<Barycentric> inElement(const FacePolygon& polygon, int face) {
+  std::vector<Barycentric> points(polygon.size(), Barycentric::Zero());
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    for (int i = 0; i < 3; ++i) points[k][FACE_NODES[face][i]] = polygon[k][i];
+  return points;
+}
 
 double faceShare(const FacePolygon& polygon) {
   double share = 0;

@@ -24,13 +24,6 @@ bool bothSigns(const std::vector<signed char>& signs) {
          std::find(signs.begin(), signs.end(), -1) != signs.end();
 }
 
-std::vector<Barycentric> inElement(const FacePolygon& polygon, int face) {
-  std::vector<Barycentric> points(polygon.size(), Barycentric::Zero());
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    for (int i = 0; i < 3; ++i) points[k][FACE_NODES[face][i]] = polygon[k][i];
-  return points;
-}
-
 /// A set of nodes, listed in ascending order.
 class NodeSet {
  public:
@@ -73,7 +66,7 @@ struct CutMesh::Plan {
 
 Insertion CutMesh::insert(const CrackField& crack) {
   Insertion done;
-  const int number = crack.crack < 0 ? num_cracks_ : crack.crack;
+  const int number = crack.crack.value_or(num_cracks_);
   std::vector<Plan> plans = plan(crack, number);
   for (const Plan& plan : plans) {
     done.parts_split += static_cast<int>(plan.splits.size());
@@ -144,7 +137,7 @@ void CutMesh::planSever(const CrackField& crack, int part, Plan* plan) const {
         std::all_of(FACE_NODES[face].begin(), FACE_NODES[face].end(), [&](int I) { return phi[I] == 0; });
     if (!in_crack) continue;
     for (const FacePair& pair : facePairs(parts_[part].element, face)) {
-      if (pair.part != part || pair.severed) continue;
+      if (pair.part != part || pair.severed_by) continue;
       if (atCopies(crack.phi, parts_[pair.other]).minCoeff() >= 0) continue;
       if (crack.contains && !crack.contains(part, inElement(pair.polygon, face))) continue;
       int back = 0;

@@ -2,11 +2,10 @@
 
 #include <cmath>
 
+#include "incision/base/limits.h"
+
 namespace incision {
 namespace {
-
-/// Beyond this [m] a plane has no digits left to tell two nodes of a body apart.
-constexpr double MAX_COORDINATE = 1e9;
 
 /// Shortest component of the tangent across the unit normal, of a unit tangent, that still gives a direction.
 constexpr double MIN_ACROSS = 1e-6;

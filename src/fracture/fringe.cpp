@@ -34,7 +34,7 @@ void addFringes(const CutMesh& mesh, const GrowingCrack& crack, int part, const 
     if (across < 0 || !reaches(facet, face, mesh.polytope(part))) continue;
     const int back = faceTowards(mesh.topology(), across, element);
     for (const FacePair& pair : mesh.facePairs(element, face))
-      if (pair.part == part && !pair.severed && crack.refused.count(pair.other) == 0 &&
+      if (pair.part == part && !pair.severed_by && crack.refused.count(pair.other) == 0 &&
           crosses(crack, mesh, pair.other, back))
         fringes->push_back({facet.crack, part, pair.other, back});
   }

@@ -92,8 +92,8 @@ std::optional<CrackField> CrackGrowth::field(const CrackAdvance& advance, const 
     if (!waits(mesh, p)) field.parts.push_back(p);
   if (field.parts.empty()) return std::nullopt;
   field.phi.assign(mesh.numCopies(), 0);
-  if (advance.crack >= 0) {
-    const GrowingCrack& crack = memory_.cracks.at(advance.crack);
+  if (advance.crack) {
+    const GrowingCrack& crack = memory_.cracks.at(*advance.crack);
     for (int p : field.parts)
       for (int c : mesh.parts()[p].copies)
         if (const auto known = crack.phi.find(c); known != crack.phi.end()) field.phi[c] = known->second;
@@ -106,7 +106,7 @@ CrackResult CrackGrowth::inserted(double time, const CrackAdvance& advance, cons
                                   const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
   CrackResult event;
   event.time = time;
-  event.change = advance.crack < 0 ? CrackChange::STARTED : CrackChange::GREW;
+  event.change = advance.crack ? CrackChange::GREW : CrackChange::STARTED;
   event.crack = done.crack;
   event.kind = advance.loading.kind;
   event.stress = advance.loading.stress;
@@ -128,14 +128,14 @@ CrackResult CrackGrowth::inserted(double time, const CrackAdvance& advance, cons
 CrackResult CrackGrowth::refused(double time, const CrackAdvance& advance) {
   CrackResult event;
   event.time = time;
-  event.crack = advance.crack;
+  event.crack = advance.crack.value_or(-1);
   event.change = CrackChange::STOPPED;
   event.kind = advance.loading.kind;
   event.stress = advance.loading.stress;
-  std::set<int>& refused = advance.crack < 0 ? memory_.barred : memory_.cracks.at(advance.crack).refused;
+  std::set<int>& refused = advance.crack ? memory_.cracks.at(*advance.crack).refused : memory_.barred;
   refused.insert(advance.parts.begin(), advance.parts.end());
   const auto gone = [&](const Fringe& fringe) {
-    return advance.crack >= 0 && memory_.cracks.survivorOf(fringe.crack) == memory_.cracks.survivorOf(advance.crack) &&
+    return advance.crack && memory_.cracks.survivorOf(fringe.crack) == memory_.cracks.survivorOf(*advance.crack) &&
            refused.count(fringe.ahead) > 0;
   };
   fringes_.erase(std::remove_if(fringes_.begin(), fringes_.end(), gone), fringes_.end());

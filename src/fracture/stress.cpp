@@ -34,7 +34,7 @@ std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
       }
       const int back = faceTowards(mesh.topology(), across, e);
       for (const FacePair& pair : mesh.facePairs(e, face))
-        if (!pair.severed && !crackEndsAt(mesh, pair.part, face, pair.other) &&
+        if (!pair.severed_by && !crackEndsAt(mesh, pair.part, face, pair.other) &&
             !crackEndsAt(mesh, pair.other, back, pair.part))
           joined.emplace_back(pair.part, pair.other);
     }

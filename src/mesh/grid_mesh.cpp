@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "incision/base/input_error.h"
+#include "incision/base/limits.h"
 #include "limits.h"
 
 namespace incision {

@@ -7,10 +7,6 @@
 
 namespace incision {
 
-/// Largest coordinate [m]. Doubles near it are 1e-7 m apart; beyond it small elements lose their shape, and the cubes
-/// and products of lengths that later stages form come nearer to overflow with nothing gained.
-inline constexpr double MAX_COORDINATE = 1e9;
-
 /// Shortest length [m] that the longest edge of an element may have. Nothing below a picometre is a continuum, and
 /// volumes and their products stay far from underflow.
 inline constexpr double MIN_LENGTH = 1e-12;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "incision/base/limits.h"
 #include "limits.h"
 
 namespace incision {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "incision/base/limits.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -28,15 +29,15 @@ std::optional<Refused> whyRefused(const Pose& pose) {
   const Eigen::Vector4d quaternion = pose.orientation.coeffs();
   if (!pose.position.allFinite() || !quaternion.allFinite())
     return Refused{Refusal::NOT_FINITE, "pose: a value is infinite or not a number"};
-  if (pose.position.cwiseAbs().maxCoeff() > MAX_POSITION) return outOfRange("pose.position: beyond 1e9 m");
+  if (pose.position.cwiseAbs().maxCoeff() > MAX_COORDINATE) return outOfRange("pose.position: beyond 1e9 m");
   if (std::abs(quaternion.stableNorm() - 1) > QUATERNION_TOLERANCE)
     return outOfRange("pose.orientation: not a quaternion of length 1");
   return std::nullopt;
 }
 
 std::optional<Refused> whyRefusedFrame(const std::string& name) {
-  if (name.size() <= MAX_FRAME) return std::nullopt;
-  return outOfRange("header.frame_id: longer than " + std::to_string(MAX_FRAME) + " characters");
+  if (name.size() <= MAX_NAME) return std::nullopt;
+  return outOfRange("header.frame_id: longer than " + std::to_string(MAX_NAME) + " characters");
 }
 
 }  // namespace incision

@@ -1,6 +1,6 @@
 #include "incision/ros/private_parameters.h"
 
-#include "incision/pace/validation.h"
+#include "incision/base/limits.h"
 #include "incision/ros/scene_parameter.h"
 
 namespace incision {
@@ -14,15 +14,12 @@ YamlMap privateParameters(const ros::NodeHandle& node, const std::vector<std::st
 
 std::string frameParameter(const YamlMap& parameters, const std::string& key, const std::string& absent) {
   const auto value = parameters.find(key);
-  if (!value) return absent;
-  const std::string frame = value->text(MAX_FRAME);
-  if (frame.front() == '/') value->refuse("a tf2 frame, which does not begin with /");
-  return frame;
+  return value ? value->frame() : absent;
 }
 
 Pose toPose(const YamlValue& value) {
   const std::vector<YamlValue> numbers = value.list(6);
-  const auto number = [&](std::size_t i) { return numbers[i].number({-MAX_POSITION, MAX_POSITION}); };
+  const auto number = [&](std::size_t i) { return numbers[i].number({-MAX_COORDINATE, MAX_COORDINATE}); };
   const auto turn = [&](std::size_t i, const Vec3& axis) { return Eigen::AngleAxisd(number(i), axis); };
   Pose pose;
   pose.position = {number(0), number(1), number(2)};

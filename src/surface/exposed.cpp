@@ -54,7 +54,7 @@ class Collector {
       across[i] = static_cast<int>(at - nodes_across.begin());
     }
     for (const FacePair& pair : mesh_.facePairs(element, face)) {
-      if (!pair.severed) continue;
+      if (!pair.severed_by) continue;
       for (const FacePoint& point : pair.polygon) addFacePoint(FACE_NODES[face], point);
       close(pair.part, true);
       for (auto point = pair.polygon.rbegin(); point != pair.polygon.rend(); ++point) addFacePoint(across, *point);

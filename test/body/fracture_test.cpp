@@ -7,6 +7,7 @@
 
 #include "support/breaking.h"
 #include "support/rig.h"
+#include "support/sanitized.h"
 #include "support/scenes.h"
 
 namespace incision::test {
@@ -75,14 +76,13 @@ TEST(Fracture, ATurnedBarBreaksAlike) {
 
 TEST(Fracture, ResultsDoNotDependOnTheThreads) {
   std::vector<std::uint64_t> hashes;
-  for (const int threads : {1, 2, 3}) {
+  for (const int threads : SANITIZED ? std::vector<int>{1, 3} : std::vector<int>{1, 2, 3}) {
     const PulledBar bar(Mat3::Identity(), threads);
     DeformableBody body(bar.scene, bar.mesh);
     EXPECT_FALSE(bar.pull(&body).events.empty());
     hashes.push_back(body.stateHash());
   }
-  EXPECT_EQ(hashes[0], hashes[1]);
-  EXPECT_EQ(hashes[0], hashes[2]);
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes[0]);
 }
 
 TEST(Fracture, AResetForgetsTheCracks) {
@@ -214,6 +214,7 @@ TEST(Fracture, ResultsWithFusingAndAFractureEnergyDoNotDependOnTheThreads) {
     DeformableBody body(scene, loadMesh(scene));
     EXPECT_FALSE(breakInto(&body, 2, 150).events.empty());
     hashes.push_back(body.stateHash());
+    if (SANITIZED) continue;
     body.reset();
     breakInto(&body, 2, 150);
     EXPECT_EQ(body.stateHash(), hashes.back());

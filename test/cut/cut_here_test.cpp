@@ -100,6 +100,22 @@ TEST(CutHere, EndsWithItsRim) {
   }
 }
 
+// Above the faces every element is cut in two where the rectangle ends, below none is.
+TEST(CutHere, EndsWithinAFaceOfTheMesh) {
+  DeformedMesh cube(gridMesh(CUBE));
+  const double end = 0.6;
+  cube.cut(rectangle(Vec3(end, 0.5, 0.75), Vec3::UnitX(), Vec3::UnitY(), 2, 0.5));
+  cube.cut(rectangle(Vec3(0, 0.5, FACES), Vec3::UnitZ(), Vec3::UnitX(), 2 * end, 2));
+  int below = 0;
+  forPoints(cube.mesh, [&](int p, const Vec3& point) {
+    const double across = std::abs(point.z() - FACES), beyond = point.x() - end;
+    const bool is_near = across < DISTANCE && beyond <= across;
+    EXPECT_EQ(isCutHere(cube.mesh, p, near(point, Vec3::UnitZ())), is_near) << p << " at " << point.transpose();
+    below += across < DISTANCE && point.z() < FACES && std::abs(beyond) < 0.1;
+  });
+  EXPECT_GT(below, 50);
+}
+
 TEST(CutHere, WhileItGrowsItIsNotInThePartsBesideIt) {
   DeformedMesh cube(gridMesh(CUBE));
   cube.cut(plane(Vec3(0, 0, THROUGH), Vec3::UnitZ()));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "incision/base/limits.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -18,10 +19,10 @@ PlaneCut cut() {
 }
 
 TEST(Validation, WhatIsFiniteAndInRangeIsTaken) {
-  EXPECT_FALSE(whyRefused(poseAt(-MAX_POSITION)));
+  EXPECT_FALSE(whyRefused(poseAt(-MAX_COORDINATE)));
   EXPECT_FALSE(whyRefused(poseAt(0, 1 + 0.9 * QUATERNION_TOLERANCE)));
   EXPECT_FALSE(whyRefused(cut()));
-  EXPECT_FALSE(whyRefusedFrame(std::string(MAX_FRAME, 'f')));
+  EXPECT_FALSE(whyRefusedFrame(std::string(MAX_NAME, 'f')));
 }
 
 TEST(Validation, ValuesThatAreNotFiniteAreToldFromThoseOutOfRange) {
@@ -32,7 +33,7 @@ TEST(Validation, ValuesThatAreNotFiniteAreToldFromThoseOutOfRange) {
     plane.length = bad;
     EXPECT_EQ(Refusal::NOT_FINITE, whyRefused(plane).value().kind);
   }
-  EXPECT_EQ(Refusal::OUT_OF_RANGE, whyRefused(poseAt(1.1 * MAX_POSITION)).value().kind);
+  EXPECT_EQ(Refusal::OUT_OF_RANGE, whyRefused(poseAt(1.1 * MAX_COORDINATE)).value().kind);
   for (const double length : {0.0, 1 - 1.1 * QUATERNION_TOLERANCE, 1e308})
     EXPECT_EQ(Refusal::OUT_OF_RANGE, whyRefused(poseAt(0, length)).value().kind);
 }
@@ -44,7 +45,7 @@ TEST(Validation, NoNormalAndNamesThatAreTooLongAreOutOfRange) {
   plane = cut();
   plane.label.assign(MAX_LABEL + 1, 'l');
   EXPECT_EQ(Refusal::OUT_OF_RANGE, whyRefused(plane).value().kind);
-  EXPECT_TRUE(whyRefusedFrame(std::string(MAX_FRAME + 1, 'f')));
+  EXPECT_TRUE(whyRefusedFrame(std::string(MAX_NAME + 1, 'f')));
 }
 
 }  // namespace

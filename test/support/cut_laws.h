@@ -60,7 +60,7 @@ inline void expectPartsFillTheMesh(const CutMesh& mesh) {
 inline void expectCopiesAreComponents(const CutMesh& mesh) {
   Sets corners(4 * mesh.parts().size());
   forFacePairs(mesh, [&](const FacePair& pair, int face) {
-    if (pair.severed) return;
+    if (pair.severed_by) return;
     const Part &p = mesh.parts()[pair.part], &q = mesh.parts()[pair.other];
     for (int I : FACE_NODES[face]) {
       const int J = localNode(mesh, q.element, mesh.mesh().elements[p.element][I]);
@@ -94,7 +94,7 @@ inline void expectOwnCopiesHoldTheirNodes(const CutMesh& mesh) {
 inline void expectPiecesAreWhatHangsTogether(const CutMesh& mesh) {
   Sets parts(mesh.parts().size());
   forFacePairs(mesh, [&](const FacePair& pair, int) {
-    if (!pair.severed) parts.join(pair.part, pair.other);
+    if (!pair.severed_by) parts.join(pair.part, pair.other);
   });
   int count = 0;
   const std::vector<int> piece = mesh.copyPieces(&count);
@@ -147,7 +147,7 @@ inline void expectContinuityAtRandomFacePoints(const CutMesh& mesh, int points, 
     const auto pair =
         std::find_if(pairs.begin(), pairs.end(), [&](const FacePair& c) { return c.part == p && c.other == q; });
     ASSERT_NE(pair, pairs.end()) << "parts meet at a point but do not overlap";
-    if (pair->severed) continue;
+    if (pair->severed_by) continue;
     for (int I : FACE_NODES[face]) {
       const int J = localNode(mesh, across, mesh.mesh().elements[e][I]);
       EXPECT_EQ(mesh.parts()[p].copies[I], mesh.parts()[q].copies[J]);

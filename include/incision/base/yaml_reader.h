@@ -8,13 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "incision/base/limits.h"
 #include "incision/base/range.h"
 #include "incision/base/vec.h"
 
 namespace incision {
-
-/// Longest name of a frame or link [bytes], far above those in use.
-inline constexpr std::size_t MAX_NAME = 255;
 
 class YamlMap;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "incision/cut/part.h"
@@ -10,9 +11,9 @@ namespace incision {
 
 /// A crack as the cut mesh sees it: a signed distance at the copies, linear in each part, and bounds.
 struct CrackField {
-  int crack = -1;           ///< the number of the crack that grows; −1: a new one
-  std::vector<double> phi;  ///< φ [m] at every copy
-  std::vector<int> parts;   ///< the parts it may split or sever; empty: all
+  std::optional<int> crack;  ///< the number of the crack that grows; without: a new one
+  std::vector<double> phi;   ///< φ [m] at every copy
+  std::vector<int> parts;    ///< the parts it may split or sever; empty: all
   /// Whether the crack reaches a section of a part, or a face that lies in it, given as a polygon. Asked from several
   /// threads at once; empty: unbounded.
   std::function<bool(int part, const std::vector<Barycentric>& polygon)> contains;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -82,8 +83,8 @@ void serialize(Archive& archive, CutPart& part) {
 /// Two parts that overlap on a face of the mesh, and where.
 struct FacePair {
   int part, other;
-  bool severed;
-  FacePolygon polygon;  ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
+  std::optional<int> severed_by;  ///< the crack that runs between them
+  FacePolygon polygon;            ///< their overlap, as weights of FACE_NODES of `part`'s element, in that order
 };
 
 /// What inserting a crack did.
@@ -160,7 +161,7 @@ class CutMesh {
   void planSever(const CrackField& crack, int part, Plan* plan) const;
   double faceArea(int element, int face) const;
   void checkLimits(const std::vector<Plan>& plans, const Insertion& done) const;
-  bool severed(int part, int face, int other, int other_face) const;
+  std::optional<int> severedBy(int part, int face, int other, int other_face) const;
   bool coincidesWithCut(int part, const std::vector<Barycentric>& section, const Eigen::Vector4d& phi) const;
   void apply(SplitPart&& split);
   std::vector<int> apply(std::vector<Plan>&& plans, const Insertion& done);

@@ -16,7 +16,7 @@ namespace incision {
 
 /// How a crack is to go on in this step.
 struct CrackAdvance {
-  int crack = -1;                             ///< −1: it starts
+  std::optional<int> crack;                   ///< without: it starts
   std::vector<int> parts;                     ///< that it splits, ascending
   std::vector<double> reached;                ///< when it comes to each of them [s]
   std::vector<std::pair<int, double>> fresh;  ///< φ [m] at the copies it has not met before
@@ -28,7 +28,7 @@ enum class CrackChange : std::uint8_t { STARTED = 0, GREW = 1, FUSED = 2, STOPPE
 /// What a crack did in one step.
 struct CrackResult {
   double time = 0;  ///< at which the step starts [s]
-  int crack = -1;
+  int crack = -1;   ///< −1: it could not start
   CrackChange change = CrackChange::STARTED;
   int other = -1;               ///< the crack with which it fused, or −1
   std::vector<int> elements;    ///< that it went through, ascending

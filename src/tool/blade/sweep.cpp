@@ -121,6 +121,17 @@ std::vector<Barycentric> spread(const std::vector<Barycentric>& polygon) {
   return points;
 }
 
+Vec3 nearest(const Edge& edge, const Vec3& point) {
+  const Vec3 along = edge[1] - edge[0];
+  return edge[0] + (point - edge[0]).dot(along) / along.squaredNorm() * along;
+}
+
+double shortestEdge(const Part& part, const CutMesh& mesh) {
+  double shortest = mesh.shortestEdge(mesh.copyNode(part.copies[0]));
+  for (int I = 1; I < 4; ++I) shortest = std::min(shortest, mesh.shortestEdge(mesh.copyNode(part.copies[I])));
+  return shortest;
+}
+
 bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh) {
   Eigen::AlignedBox3d reach(edge[0]);
   reach.extend(edge[1]);

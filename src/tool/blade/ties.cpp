@@ -81,7 +81,7 @@ void Ties::mark(const SweptTriangle& triangle, bool own_crack, Tie* tie) {
   tie->moved = true;
 }
 
-void Ties::sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, int crack) {
+void Ties::sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, std::optional<int> crack) {
   for (Tie& tie : memory_.ties)
     if (const auto found = swept.find(tie.section.element); found != swept.end())
       for (const SweptTriangle& triangle : found->second) mark(triangle, tie.section.crack == crack, &tie);

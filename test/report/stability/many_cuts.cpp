@@ -23,7 +23,7 @@ int piecesByFaces(const CutMesh& mesh) {
     for (int face = 0; face < 4; ++face) {
       if (mesh.topology().neighbours[e][face] < e) continue;
       for (const FacePair& pair : mesh.facePairs(e, face)) {
-        if (pair.severed || root(pair.part) == root(pair.other)) continue;
+        if (pair.severed_by || root(pair.part) == root(pair.other)) continue;
         link[root(pair.part)] = root(pair.other);
         --pieces;
       }

@@ -92,6 +92,19 @@ TEST_P(OldCut, ThroughElementsKeepsABladeThatRunsInOrBesideIt) {
   }
 }
 
+TEST_P(OldCut, BesideMeshFacesKeepsABladeThatRunsAlongThem) {
+  for (const double beside : {0.04, -0.04, 0.15, -0.15}) {
+    SCOPED_TRACE(beside);
+    body.reset();
+    body.cut(plane(Vec3(0, FACES + beside * CELL, 0), Vec3::UnitY()));
+    const BodyCounts before = body.counts();
+    for (const double height : {FACES, FACES + beside * CELL}) {
+      drawAlongX(1.1, [&](double) { return height; });
+      expectItStaysInTheCut(before);
+    }
+  }
+}
+
 TEST_P(OldCut, KeepsABladeThatGoesBackInIt) {
   body.cut(plane(Vec3(0, FACES, 0), Vec3::UnitY()));
   const BodyCounts before = body.counts();

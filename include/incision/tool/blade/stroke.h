@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -36,8 +37,8 @@ class Stroke {
   /// Whether the stroke has met any part of the body.
   bool begun() const { return memory_.begun; }
 
-  /// The crack that it goes on with; −1: it has none yet, or none any more.
-  int crack() const { return memory_.crack; }
+  /// The crack that it goes on with, unless it has none yet, or none any more.
+  std::optional<int> crack() const { return memory_.crack; }
 
   /// Cracks that it has made.
   int cracks() const { return memory_.cracks; }
@@ -51,7 +52,7 @@ class Stroke {
 
   /// What of the stroke outlasts a step.
   struct Memory {
-    int crack = -1;                                            ///< as crack() tells
+    std::optional<int> crack;                                  ///< as crack() tells
     int cracks = 0;                                            ///< that it has made
     bool begun = false;                                        ///< it has met a part of the body
     Edge from = {Vec3::Zero(), Vec3::Zero()};                  ///< at the last sweep [m],

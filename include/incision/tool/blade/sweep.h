@@ -50,6 +50,12 @@ Vec3 gradient(const Eigen::Vector4d& phi);
 /// Points spread evenly over a flat polygon, none in line with others: an edge that sweeps it passes them one by one.
 std::vector<Barycentric> spread(const std::vector<Barycentric>& polygon);
 
+/// The point of the line through an edge that is nearest to `point`.
+Vec3 nearest(const Edge& edge, const Vec3& point);
+
+/// Shortest rest edge [m] at a node of a part's element.
+double shortestEdge(const Part& part, const CutMesh& mesh);
+
 /// Whether an edge passes through an element the body now has, its parts taken whole.
 bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh);
 

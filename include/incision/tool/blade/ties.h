@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -88,8 +89,8 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
     finishSweep();
   }
 
-  /// An edge has swept triangles in some elements, on behalf of a crack; −1: none yet.
-  void sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, int crack);
+  /// An edge has swept triangles in some elements, on behalf of a crack where there is one yet.
+  void sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, std::optional<int> crack);
 
   void changed(const CutMesh& mesh) override;
   bool begin(const StepStart& start, std::vector<Spring>* springs) override;
