@@ -111,7 +111,7 @@ struct DeformableBody::State {
   std::vector<const Contact*> contacts;                // all of them, for the report
   Couplers couplers;
   BodyDoor door;
-  Reports reports;         // of what has happened and nobody has taken yet
+  Reports reports;  // of what has happened and nobody has taken yet
   // Of the step, all its parts and those tried in vain included:
   double couplers_ms = 0;  // to find what may act in it
   StepTimes times;

@@ -145,8 +145,7 @@ TEST(CrackGrowth, WhatTheMeshRefusesIsNotTriedAgain) {
   ASSERT_EQ(grown.at(0).crack, 0);
   growth.refused(0, grown[0]);
   for (const CrackAdvance& advance : bar.advances(&growth))
-    for (int part : advance.parts)
-      EXPECT_EQ(std::count(grown[0].parts.begin(), grown[0].parts.end(), part), 0);
+    for (int part : advance.parts) EXPECT_EQ(std::count(grown[0].parts.begin(), grown[0].parts.end(), part), 0);
 }
 
 TEST(CrackGrowth, OneThatRecallsAMemoryGoesOnAsTheOneThatHadIt) {
