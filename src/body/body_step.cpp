@@ -3,6 +3,7 @@
 #include "incision/solver/step_in_parts.h"
 
 namespace incision {
+
 /// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
 void DeformableBody::State::fracture() {
   if (fractured_steps > steps) return;

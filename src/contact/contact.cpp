@@ -21,13 +21,11 @@ constexpr double STIFFEST = 10;
 /// by one sinks in by less than 0.2 % of what it gives way by itself.
 constexpr double STIFFER_ON_OBSTACLES = 12;
 
-/// It is more where the point would otherwise go in by more elements than that many times IMPACT_DEPTH, up to so much
-/// and however soft the body: what hits something fast must neither come out behind it nor overlap by much.
-constexpr double IMPACT_DEPTH = 0.005, STIFFEST_IMPACT = 1000;
-
-/// The same between pieces: something light that heavy pieces squeeze resists with little mass, and its contacts have
-/// to be the stiffer the deeper they go, or they store energy that throws it out.
-constexpr double SQUEEZE_DEPTH = 0.0005;
+/// A contact is stiffer than STIFFEST where its point would otherwise go in far, however soft the body: as many times
+/// that mass as the depth has multiples of the one here, in elements, and up to STIFFEST_IMPACT times. Against
+/// obstacles that is for what hits them fast, which must neither come out behind nor overlap by much; between pieces
+/// also for what is light and squeezed by heavy ones, which else would store energy and be thrown out.
+constexpr double IMPACT_DEPTH = 0.005, SQUEEZE_DEPTH = 0.0005, STIFFEST_IMPACT = 1000;
 
 /// What a point that slides resists along its way, as a share of what it does across it. Along it the force is
 /// constant, so that a Newton step would go far beyond where it turns round.
@@ -115,7 +113,7 @@ void Contact::continueTouches(const std::vector<Touch>& touches, double time_ste
     const bool of_body = candidate.isOfBody();
     candidate.ignored = depth;
     candidate.worked_off = of_body ? 0 : depth;
-    const Touch* touch = touchBefore(skin_->surface(), touches, candidate);
+    const Touch* touch = touchBefore(skin_->surface(), touches, candidate.partner, candidate.sample, candidate.other);
     if (!touch) continue;
     legacy_.goesOn(*touch);
     const double same_energy = std::sqrt(std::min(1.0, touch->stiffness / candidate.stiffness));

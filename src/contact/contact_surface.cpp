@@ -16,10 +16,6 @@ constexpr double MIN_COSINE = 0.7;
 /// before a vertex meets a triangle.
 constexpr double FLAT_COSINE = 0.985;
 
-Vec3 areaVector(const std::vector<Vec3>& x, const std::array<int, 3>& triangle) {
-  return 0.5 * (x[triangle[1]] - x[triangle[0]]).cross(x[triangle[2]] - x[triangle[0]]);
-}
-
 /// Points that are closer at rest than this, in elements, are at one place.
 constexpr double SAME_PLACE = 1e-6;
 
@@ -80,9 +76,7 @@ std::vector<Side> sidesOfEdges(const Surface& surface) {
 }
 
 bool isSharp(const ContactSurface& surface, const Side& one, const Side& other) {
-  const auto& triangles = surface.surface->triangles;
-  const Vec3 n = areaVector(surface.rest, triangles[one.triangle]),
-             m = areaVector(surface.rest, triangles[other.triangle]);
+  const Vec3 n = restArea(surface, one.triangle), m = restArea(surface, other.triangle);
   const bool convex = n.dot(surface.rest[other.opposite] - surface.rest[one.from]) < 0;
   return convex && n.dot(m) < FLAT_COSINE * n.norm() * m.norm();
 }
@@ -113,7 +107,7 @@ class Builder {
     made_.area.assign(vertices, 0);
     made_.young_modulus.assign(vertices, 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      areas_.push_back(areaVector(made_.rest, triangles[t]));
+      areas_.push_back(restArea(made_, static_cast<int>(t)));
       const int element = mesh.parts()[made_.surface->part[t]].element;
       const double size = materials.size(element);
       for (int v : triangles[t]) {
@@ -188,9 +182,14 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   return made;
 }
 
+Vec3 restArea(const ContactSurface& surface, int triangle) {
+  const auto& [a, b, c] = surface.surface->triangles[triangle];
+  return 0.5 * (surface.rest[b] - surface.rest[a]).cross(surface.rest[c] - surface.rest[a]);
+}
+
 bool hasAreaAtRest(const ContactSurface& surface, int triangle) {
   const double size = surface.size[surface.surface->triangles[triangle][0]];
-  return 2 * areaVector(surface.rest, surface.surface->triangles[triangle]).norm() > MIN_OVERLAP * size * size;
+  return 2 * restArea(surface, triangle).norm() > MIN_OVERLAP * size * size;
 }
 
 void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring) {

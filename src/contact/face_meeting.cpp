@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/base/nearest.h"
 #include "incision/contact/candidate.h"
 
 namespace incision {
@@ -76,20 +77,6 @@ FaceMeeting footAfter(const SkinInStep& skin, int sample, int triangle, double s
   return met;
 }
 
-Vec3 nearestOnSegment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 along = b - a;
-  const double square = along.squaredNorm();
-  return square > 0 ? Vec3(a + std::clamp(along.dot(p - a) / square, 0.0, 1.0) * along) : a;
-}
-
-double squaredDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, const Vec3& p) {
-  if (!n.isZero(0) && n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 &&
-      n.cross(a - c).dot(p - c) >= 0)
-    return n.dot(p - a) * n.dot(p - a);
-  return std::min({(p - nearestOnSegment(a, b, p)).squaredNorm(), (p - nearestOnSegment(b, c, p)).squaredNorm(),
-                   (p - nearestOnSegment(c, a, p)).squaredNorm()});
-}
-
 }  // namespace
 
 std::optional<FaceMeeting> meetFace(const SkinInStep& skin, int sample, int triangle) {
@@ -115,7 +102,8 @@ Inside insideOf(const SkinInStep& skin, int vertex, Span<const NearPairs::Sample
   for (const auto& [sample, t] : near) {
     const auto& [a, b, c] = skin.surface.surface->triangles[t];
     const Vec3& n = skin.normals[t];
-    const double distance = squaredDistance(skin.x[a], skin.x[b], skin.x[c], n, p), gap = n.dot(p - skin.x[a]);
+    const Vec3 near_p = nearestOnTriangle({skin.x[a], skin.x[b], skin.x[c]}, p);
+    const double distance = (p - near_p).squaredNorm(), gap = n.dot(p - skin.x[a]);
     if (distance > (1 + SAME_DISTANCE) * nearest) continue;
     if (distance < (1 - SAME_DISTANCE) * nearest || std::abs(gap) > std::abs(facing)) {
       facing = gap;

@@ -64,15 +64,6 @@ Spring between(const ContactSurface& surface, const EdgeMeeting& met) {
   return contact;
 }
 
-const Touch* touchOf(const ContactSurface& surface, const std::vector<Touch>& touches, int partner, int sample,
-                     int other) {
-  Candidate key;
-  key.sample = sample;
-  key.partner = partner;
-  key.other = other;
-  return touchBefore(surface, touches, key);
-}
-
 /// Whether edges of the two pieces have crossed before as these do: these, or those that they continue.
 bool haveCrossed(const ContactSurface& surface, const std::vector<Touch>& touches, const EdgeMeeting& met) {
   const auto piece = [&](int edge) { return surface.vertex_piece[surface.edges[edge].from]; };
@@ -138,6 +129,34 @@ Candidate candidateOf(const SkinInStep& skin, const EdgeMeeting& met) {
   return made;
 }
 
+/// The nearest place where a sample meets one of the triangles near it. What is deep must be inside, or have been on
+/// that side; that is preferred then.
+std::optional<FaceMeeting> nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches,
+                                       Span<const NearPairs::SampleTriangle> near, bool of_one_piece) {
+  const ContactSurface& surface = skin.surface;
+  const int sample = near[0].sample, vertex = surface.samples[sample].vertex;
+  std::optional<Inside> inside;
+  std::optional<FaceMeeting> best;
+  bool best_known = false;
+  for (const NearPairs::SampleTriangle& at : near) {
+    const std::optional<FaceMeeting> met = meetFace(skin, sample, at.triangle);
+    if (!met || (of_one_piece && isOnePoint(between(surface, *met)))) continue;
+    bool side_known = false;
+    if (met->gap < -SHALLOW * surface.size[vertex] && !of_one_piece) {
+      const int corner = surface.surface->triangles[met->triangle][0];
+      const Touch* touch = touchBefore(surface, touches, Candidate::BODY, sample, corner);
+      side_known = touch && touch->normal_in_solid.dot(met->normal) > SAME_SIDE;
+      if (!inside) inside = insideOf(skin, vertex, near);
+      if (!hasComeIn(*inside, *met, side_known)) continue;
+    }
+    const bool nearer = !best || std::abs(met->gap) < std::abs(best->gap);
+    if (side_known == best_known ? !nearer : best_known) continue;
+    best = met;
+    best_known = side_known;
+  }
+  return best;
+}
+
 }  // namespace
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
@@ -181,38 +200,15 @@ void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Ve
   parallelFor(static_cast<int>(triangles.size()), threads, [&](int t) { normals_[t].stableNormalize(); });
 }
 
-/// The nearest place where each sample meets the other piece. What is deep must be inside, or have been on that side.
+/// The nearest places where samples meet the other piece.
 void FragmentFinder::findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
                                std::vector<Found>* found) const {
   found->clear();
-  const ContactSurface& surface = skin.surface;
-  NearPairs::SampleTriangle* const end = const_cast<NearPairs::SampleTriangle*>(pair.faces.data() + pair.faces.size());
-  for (auto *first = end - pair.faces.size(), *last = first; first != end; first = last) {
-    const int sample = first->sample, vertex = surface.samples[sample].vertex;
-    while (last != end && last->sample == sample) ++last;
-    std::optional<Inside> inside;
-    bool known = false;
-    Found best;
-    best.triangle = -1;
-    for (auto* near = first; near != last; ++near) {
-      const std::optional<FaceMeeting> met = meetFace(skin, sample, near->triangle);
-      if (!met) continue;
-      if (pair.a == pair.b && isOnePoint(between(surface, *met))) continue;
-      bool side_known = false;
-      if (met->gap < -SHALLOW * surface.size[vertex] && pair.a != pair.b) {
-        const Touch* touch =
-            touchOf(surface, touches, Candidate::BODY, sample, surface.surface->triangles[met->triangle][0]);
-        side_known = touch && touch->normal_in_solid.dot(met->normal) > SAME_SIDE;
-        if (!inside) inside = insideOf(skin, vertex, {first, last});
-        if (!hasComeIn(*inside, *met, side_known)) continue;
-      }
-      const bool nearer = best.triangle < 0 || std::abs(met->gap) < std::abs(best.gap);
-      if (side_known == known ? !nearer : known) continue;
-      static_cast<FaceMeeting&>(best) = *met;
-      best.piece = surface.piece[met->triangle];
-      known = side_known;
-    }
-    if (best.triangle >= 0) found->push_back(best);
+  const NearPairs::SampleTriangle *first = pair.faces.data(), *const end = first + pair.faces.size();
+  for (const auto* last = first; first != end; first = last) {
+    while (last != end && last->sample == first->sample) ++last;
+    if (const std::optional<FaceMeeting> met = nearestFace(skin, touches, {first, last}, pair.a == pair.b))
+      found->push_back({*met, skin.surface.piece[met->triangle]});
   }
 }
 

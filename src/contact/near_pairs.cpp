@@ -32,11 +32,6 @@ constexpr double BESIDE_AT_REST = 1.5;
 /// The cosine of the angle between triangles of one flat side is more.
 constexpr double ONE_SIDE = 0.7;
 
-Vec3 restArea(const ContactSurface& surface, int triangle) {
-  const auto& [a, b, c] = surface.surface->triangles[triangle];
-  return (surface.rest[b] - surface.rest[a]).cross(surface.rest[c] - surface.rest[a]);
-}
-
 /// Whether a sample and a triangle of one piece never meet: there was material in between at rest, behind the triangle,
 /// or they lie beside each other.
 bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sample, int triangle) {
@@ -49,11 +44,8 @@ bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sam
   return distance < BESIDE_AT_REST * size && N.dot(M) > ONE_SIDE * N.norm() * M.norm();
 }
 
-bool areClose(const ContactSurface::Edge& e, const ContactSurface::Edge& f, const std::vector<Vec3>& x, double reach) {
-  const auto ends_before = [&](const ContactSurface::Edge& g, const ContactSurface::Edge& h) {
-    return x[g.from].cwiseMax(x[g.to]).array() + reach < x[h.from].cwiseMin(x[h.to]).array();
-  };
-  return !ends_before(e, f).any() && !ends_before(f, e).any();
+Eigen::AlignedBox3d boxOf(const ContactSurface::Edge& edge, const std::vector<Vec3>& x) {
+  return Eigen::AlignedBox3d(x[edge.from]).extend(x[edge.to]);
 }
 
 }  // namespace
@@ -122,9 +114,7 @@ void NearPairs::findClosePieces(double reach) {
     for (std::size_t k = i + 1; k < sweep_.size() && sweep_[k].first <= pieces[a].way.max().x() + widest; ++k) {
       const int b = sweep_[k].second;
       const double near = reach * std::max(pieces[a].size, pieces[b].size);
-      if ((pieces[a].way.min().array() <= pieces[b].way.max().array() + near).all() &&
-          (pieces[b].way.min().array() <= pieces[a].way.max().array() + near).all())
-        close_.emplace_back(std::min(a, b), std::max(a, b));
+      if (areClose(pieces[a].way, pieces[b].way, near)) close_.emplace_back(std::min(a, b), std::max(a, b));
     }
   }
   std::sort(close_.begin(), close_.end());
@@ -164,7 +154,7 @@ void NearPairs::search(const ContactSurface& surface, const std::vector<Vec3>& x
     if (pair->a == pair->b) return;
     for (int e : edges_of_[t])
       for (int f : edges_of_[other])
-        if (areClose(surface.edges[e], surface.edges[f], x, further)) pair->edges.emplace_back(e, f);
+        if (areClose(boxOf(surface.edges[e], x), boxOf(surface.edges[f], x), further)) pair->edges.emplace_back(e, f);
   });
   std::sort(pair->faces.begin(), pair->faces.end(), [](const SampleTriangle& s, const SampleTriangle& t) {
     return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);

@@ -73,14 +73,15 @@ void tellPlace(const ContactSurface& surface, Touch* touch) {
   touch->other_vertex = vertices[touch->other];
 }
 
-const Touch* touchBefore(const ContactSurface& surface, const std::vector<Touch>& touches, const Candidate& candidate) {
+const Touch* touchBefore(const ContactSurface& surface, const std::vector<Touch>& touches, int partner, int sample,
+                         int other) {
+  const struct { int partner, sample; } sought{partner, sample};
   const auto goes_on = [&](const Touch& touch) {
-    if (candidate.partner == Candidate::BODY)
-      return surface.vertex_piece[touch.other] == surface.vertex_piece[candidate.other];
-    return candidate.partner != Candidate::EDGES || touch.other == candidate.other;
+    if (partner == Candidate::BODY) return surface.vertex_piece[touch.other] == surface.vertex_piece[other];
+    return partner != Candidate::EDGES || touch.other == other;
   };
-  for (auto at = std::lower_bound(touches.begin(), touches.end(), candidate, comesBefore<Touch, Candidate>);
-       at != touches.end() && !comesBefore(candidate, *at); ++at)
+  for (auto at = std::lower_bound(touches.begin(), touches.end(), sought, comesBefore<Touch, decltype(sought)>);
+       at != touches.end() && !comesBefore(sought, *at); ++at)
     if (goes_on(*at)) return &*at;
   return nullptr;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "incision/base/nearest.h"
 #include "incision/cut/section.h"
 
 namespace incision {
@@ -75,11 +76,9 @@ class CutFace {
     double inside = 1, nearest = std::numeric_limits<double>::infinity();
     const Vec3 image = point - normal_.dot(point - base_) * normal_;
     for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 from = place(i), edge = place((i + 1) % count) - from;
-      inside = std::min(inside, normal_.dot(edge.cross(image - from)));
-      const double length = edge.squaredNorm();
-      const double share = length > 0 ? std::clamp(edge.dot(image - from) / length, 0.0, 1.0) : 0;
-      nearest = std::min(nearest, (image - from - share * edge).norm());
+      const Vec3 from = place(i), to = place((i + 1) % count);
+      inside = std::min(inside, normal_.dot((to - from).cross(image - from)));
+      nearest = std::min(nearest, (image - nearestOnSegment(from, to, image)).norm());
     }
     return inside >= 0 ? 0 : nearest;
   }

@@ -1,6 +1,6 @@
 #include "incision/rigid/pose.h"
 
-#include <algorithm>
+#include "incision/base/nearest.h"
 
 namespace incision {
 
@@ -16,11 +16,7 @@ Edge placed(const Edge& edge, const Pose& pose) {
   return {pose.position + pose.orientation * edge[0], pose.position + pose.orientation * edge[1]};
 }
 
-Vec3 nearestOn(const Edge& edge, const Vec3& point) {
-  const Vec3 along = edge[1] - edge[0];
-  const double share = (point - edge[0]).dot(along) / along.squaredNorm();
-  return edge[0] + std::clamp(share, 0.0, 1.0) * along;
-}
+Vec3 nearestOn(const Edge& edge, const Vec3& point) { return nearestOnSegment(edge[0], edge[1], point); }
 
 Wrench seenFrom(const Pose& pose, const Wrench& wrench) {
   const Eigen::Quaterniond inverse = pose.orientation.conjugate();

@@ -206,8 +206,11 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
 bool ImplicitStep::takeChange(const Motion& start) {
   balanceMomentum(true, &dv_);
   rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
-  return demand_ == StepDemand::ANY || (newton_.stats().settled && rigid_.farthestTurn() <= FAR_TURN);
+  return demand_ == StepDemand::ANY || (newton_.stats().settled && !turnsTooFar());
 }
+
+/// Whether that is not what is demanded.
+bool ImplicitStep::turnsTooFar() const { return demand_ == StepDemand::SOUND && rigid_.farthestTurn() > FAR_TURN; }
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
 void ImplicitStep::giveUp() {
@@ -343,7 +346,7 @@ int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>&
 
 bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
   rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_);
-  if (demand_ == StepDemand::SOUND && rigid_.farthestTurn() > FAR_TURN) return false;
+  if (turnsTooFar()) return false;
   findAhead(*start_x_);
   rotate(base_.x);
   return true;

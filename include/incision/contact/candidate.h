@@ -83,8 +83,9 @@ bool comesBefore(const T& a, const U& b) {
   return a.partner != b.partner ? a.partner < b.partner : a.sample < b.sample;
 }
 
-/// The touch of the last step that a candidate goes on from, or null: of those that its sample had, that with the same
-/// piece or the same edge.
-const Touch* touchBefore(const ContactSurface& surface, const std::vector<Touch>& touches, const Candidate& candidate);
+/// The touch of the last step that a candidate with this partner, sample and other goes on from, or null: of those that
+/// the sample had, that with the same piece or the same edge.
+const Touch* touchBefore(const ContactSurface& surface, const std::vector<Touch>& touches, int partner, int sample,
+                         int other);
 
 }  // namespace incision

@@ -51,6 +51,9 @@ struct ContactSurface {
 ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const Materials& materials,
                                   const std::vector<int>& piece);
 
+/// A triangle's normal at rest, its area long [m²].
+Vec3 restArea(const ContactSurface& surface, int triangle);
+
 /// Whether a triangle has an area at rest. Those that have none close the surface between parts that neither hang
 /// together nor are severed; their corners may belong to several parts, to more copies than a spring has room for.
 bool hasAreaAtRest(const ContactSurface& surface, int triangle);

@@ -8,6 +8,11 @@
 
 namespace incision {
 
+/// Whether two boxes come closer to each other than `reach` [m] in each direction of space.
+inline bool areClose(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double reach) {
+  return (a.min().array() <= b.max().array() + reach).all() && (b.min().array() <= a.max().array() + reach).all();
+}
+
 /// Trees of boxes round the triangles of each piece. Their shape is that of the body at rest, and stays until the
 /// surface changes; where the boxes are is found anew for the pieces that are looked at.
 class PieceTrees {
@@ -17,8 +22,8 @@ class PieceTrees {
   /// Puts the boxes of a piece where its vertices are.
   void place(const ContactSurface& surface, const std::vector<Vec3>& x, int piece);
 
-  /// Calls f(triangle of a, triangle of b) where the boxes of two triangles come closer to each other than `reach` [m]
-  /// in each direction of space. With a = b it is called once for each two triangles, and for each with itself.
+  /// Calls f(triangle of a, triangle of b) where the boxes of two triangles are close by `reach` [m]. With a = b it is
+  /// called once for each two triangles, and for each with itself.
   template <typename Function>
   void forEachClose(int a, int b, double reach, const Function& f) const;
 
@@ -30,9 +35,6 @@ class PieceTrees {
   };
 
   void split(const std::vector<Vec3>& centres, int node);
-  static bool areClose(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double reach) {
-    return (a.min().array() <= b.max().array() + reach).all() && (b.min().array() <= a.max().array() + reach).all();
-  }
 
   std::vector<int> order_;                  // triangles, so that those of a node lie together
   std::vector<Eigen::AlignedBox3d> boxes_;  // of the triangles, in that order

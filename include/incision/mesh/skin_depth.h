@@ -7,9 +7,6 @@
 
 namespace incision {
 
-/// The point of a triangle that is nearest to `point`.
-Vec3 nearestOnTriangle(const std::array<Vec3, 3>& triangle, const Vec3& point);
-
 /// How far nodes lie below the mesh's own boundary, at rest. Found when first asked for, in time linear in the
 /// boundary.
 class SkinDepth {
