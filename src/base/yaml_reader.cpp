@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
 #include "incision/base/resolve_path.h"
+#include "incision/base/suggestion.h"
 
 namespace incision {
 
@@ -54,34 +54,6 @@ std::optional<double> asNumber(std::string text) {
   return value;
 }
 
-// Levenshtein's distance: how many letters to add, drop or change.
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-// ", did you mean …?" for a word that is almost one of `words`.
-std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
-  constexpr std::size_t MAX_TYPOS = 3;
-  for (std::size_t typos = 0; typos <= std::min(MAX_TYPOS, word.size() / 2); ++typos) {
-    for (const std::string& known : words) {
-      if (word.size() <= known.size() + MAX_TYPOS && editDistance(word, known) == typos) {
-        return ", did you mean " + known + "?";
-      }
-    }
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string joined(const std::vector<std::string>& words) {
@@ -93,9 +65,9 @@ std::string joined(const std::vector<std::string>& words) {
 YamlValue::YamlValue(const YAML::Node& node, std::string source, std::string folder, std::string key)
     : node_(node), source_(std::move(source)), folder_(std::move(folder)), key_(std::move(key)) {}
 
-void YamlValue::fail(const std::string& reason) const {
-  throw InputError(source_ + ": " + (key_.empty() ? "" : key_ + ": ") + reason);
-}
+std::string YamlValue::where() const { return source_ + (key_.empty() ? "" : ": " + key_); }
+
+void YamlValue::fail(const std::string& reason) const { throw InputError(where() + ": " + reason); }
 
 void YamlValue::refuse(const std::string& allowed) const { fail(describe(node_) + " (allowed: " + allowed + ")"); }
 

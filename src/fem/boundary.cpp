@@ -45,9 +45,9 @@ bool ownsClampedMaterial(const CutMesh& mesh, const std::vector<Clamp>& clamps, 
 
 std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Clamp>& clamps) {
   std::vector<int> held(mesh.nodes.size(), -1);
-  for (std::size_t n = 0; n < held.size(); ++n)
-    for (std::size_t h = 0; h < clamps.size() && held[n] < 0; ++h)
-      if (clamps[h].box.contains(mesh.nodes[n])) held[n] = static_cast<int>(h);
+  for (std::size_t h = 0; h < clamps.size(); ++h)
+    for (int n : nodesAt(clamps[h].place, mesh))
+      if (held[n] < 0) held[n] = static_cast<int>(h);
   return held;
 }
 
@@ -67,26 +67,21 @@ std::vector<int> heldCopies(const CutMesh& mesh, const std::vector<Clamp>& clamp
 
 std::vector<std::vector<Vec3>> loadForces(const CutMesh& mesh, const std::vector<Load>& loads) {
   std::vector<std::vector<Vec3>> forces(loads.size(), std::vector<Vec3>(mesh.numCopies(), Vec3::Zero()));
-  if (loads.empty()) return forces;
   const TetMesh& rest = mesh.mesh();
-  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
-    const Part& part = mesh.parts()[p];
-    const auto& element = rest.elements[part.element];
-    for (int f = 0; f < 4; ++f) {
-      if (mesh.topology().neighbours[part.element][f] >= 0) continue;
+  for (std::size_t l = 0; l < loads.size(); ++l)
+    for (const auto& [e, f] : boundaryFacesAt(loads[l].place, rest, mesh.topology())) {
       const auto& nodes = FACE_NODES[f];
-      const FacePolygon owned = ownedFace(mesh, static_cast<int>(p), f);
-      if (owned.empty()) continue;
-      const Vec3 &A = rest.nodes[element[nodes[0]]], &B = rest.nodes[element[nodes[1]]],
-                 &C = rest.nodes[element[nodes[2]]];
-      const double area = 0.5 * (B - A).cross(C - A).norm() * faceShare(owned);
-      const FacePoint N = centroid(owned);
-      for (std::size_t l = 0; l < loads.size(); ++l) {
-        if (!allNodes(element, nodes, [&](int n) { return loads[l].box.contains(rest.nodes[n]); })) continue;
-        for (int i = 0; i < 3; ++i) forces[l][part.copies[nodes[i]]] += N[i] * area * loads[l].traction;
+      const Vec3 &A = rest.nodes[rest.elements[e][nodes[0]]], &B = rest.nodes[rest.elements[e][nodes[1]]],
+                 &C = rest.nodes[rest.elements[e][nodes[2]]];
+      const double area = 0.5 * (B - A).cross(C - A).norm();
+      for (int p = e; p >= 0; p = mesh.parts()[p].next) {
+        const FacePolygon owned = ownedFace(mesh, p, f);
+        if (owned.empty()) continue;
+        const FacePoint N = centroid(owned);
+        for (int i = 0; i < 3; ++i)
+          forces[l][mesh.parts()[p].copies[nodes[i]]] += N[i] * area * faceShare(owned) * loads[l].traction;
       }
     }
-  }
   return forces;
 }
 

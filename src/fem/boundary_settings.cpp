@@ -5,17 +5,17 @@
 namespace incision {
 
 Clamp parseClamp(const YamlValue& value) {
-  const YamlMap map = value.map({"box", "velocity"});
+  const YamlMap map = value.map({"group", "box", "velocity"});
   Clamp clamp;
-  clamp.box = parseRestBox(map.at("box"));
+  clamp.place = parsePlace(map);
   clamp.velocity = map.vector("velocity", clamp.velocity);
   return clamp;
 }
 
 Load parseLoad(const YamlValue& value) {
-  const YamlMap map = value.map({"box", "traction", "ramp"});
+  const YamlMap map = value.map({"group", "box", "traction", "ramp"});
   Load load;
-  load.box = parseRestBox(map.at("box"));
+  load.place = parsePlace(map);
   load.traction = map.at("traction").vector();
   load.ramp = map.number("ramp", load.ramp, SIMULATED_TIME);
   return load;

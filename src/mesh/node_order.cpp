@@ -70,6 +70,13 @@ void orderElements(TetMesh* mesh) {
   sorted.reserve(by_rank.size());
   for (const auto& [lowest, e] : by_rank) sorted.push_back(mesh->elements[e]);
   mesh->elements = std::move(sorted);
+
+  std::vector<int> place_of(by_rank.size());
+  for (std::size_t i = 0; i < by_rank.size(); ++i) place_of[by_rank[i].second] = static_cast<int>(i);
+  for (PhysicalGroup& group : mesh->groups) {
+    for (int& e : group.elements) e = place_of[e];
+    std::sort(group.elements.begin(), group.elements.end());
+  }
 }
 
 }  // namespace incision

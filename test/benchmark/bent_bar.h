@@ -32,7 +32,7 @@ struct Bar {
         materials(mesh.mesh(), Material()),
         assembly(mesh, materials, Mass::LUMPED, Pressure::ELEMENT, true, THREADS),
         piece(x.size(), 0) {
-    for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.clamps[0].box.contains(X));
+    for (const Vec3& X : mesh.mesh().nodes) held.push_back(conditions.clamps[0].place.box.contains(X));
     assembly.topologyChanged(x);
     assembly.rotate(x);
   }

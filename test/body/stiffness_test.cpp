@@ -125,7 +125,7 @@ TEST(SplitCantilever, ThroughElementsIsAsGoodAsAlongFaces) {
 // Its arms, of height H/2, are pulled apart by the shear of their end faces. Returns the opening of one arm.
 double doubleCantileverBeam(int n, double crack) {
   RigSettings settings = clamped();
-  settings.conditions.clamps[0].box.max.x() = L - crack + 1e-9;
+  settings.conditions.clamps[0].place.box.max.x() = L - crack + 1e-9;
   RestBox upper = slab(0, L), lower = upper;
   upper.min.z() = H / 2 - 1e-9;
   lower.max.z() = H / 2 + 1e-9;

@@ -41,7 +41,7 @@ tool: {edge: [[0, 0, 0], [0, 0, 0.1]], frame: knife}
   EXPECT_EQ(scene.body.material.density, 1050);
   EXPECT_EQ(scene.gravity, Vec3(1, 2, 3));
   ASSERT_EQ(scene.boundary.size(), 2u);
-  EXPECT_EQ(scene.boundary[1].box.max, Vec3(5, 5, 5));
+  EXPECT_EQ(scene.boundary[1].place.box.max, Vec3(5, 5, 5));
   ASSERT_EQ(scene.loads.size(), 1u);
   EXPECT_EQ(scene.loads[0].traction, Vec3(7, 8, 9));
   EXPECT_EQ(scene.solver.time_step, 0.005);
@@ -79,7 +79,7 @@ TEST(Scene, BadSectionsAreRefusedWithSourceAndKey) {
             "fracture, contact, tool)");
   EXPECT_EQ(complaint(BODY + "gravity: -9.81"), "scene.yaml: gravity: '-9.81' (allowed: a list of 3)");
   EXPECT_EQ(complaint(BODY + "boundary: {box: 1}"), "scene.yaml: boundary: a map (allowed: a list)");
-  EXPECT_EQ(complaint(BODY + "boundary: [{velocity: [0, 0, 0]}]"), "scene.yaml: boundary.0: the key box is missing");
+  EXPECT_EQ(complaint(BODY + "boundary: [{velocity: [0, 0, 0]}]"), "scene.yaml: boundary.0: needs a group or a box (allowed: one of the two)");
   EXPECT_EQ(complaint("body: {grid: {cells: [1, 1, 1]}, material: {poisson_ratio: 0.5}}"),
             "scene.yaml: body.material.poisson_ratio: '0.5' (allowed: 0 to 0.4999)");
 }

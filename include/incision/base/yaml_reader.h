@@ -49,6 +49,8 @@ class YamlValue {
   YamlMap map(const std::vector<std::string>& allowed_keys) const;
 
   const std::string& source() const { return source_; }
+  /// "source: key".
+  std::string where() const;
 
   /// Throws "source: key: value (allowed: …)".
   [[noreturn]] void refuse(const std::string& allowed) const;
@@ -69,6 +71,7 @@ class YamlMap {
   /// Throws InputError when the key is missing.
   YamlValue at(const std::string& key) const;
   bool has(const std::string& key) const { return entries_.count(key) > 0; }
+  const YamlValue& whole() const { return whole_; }
 
   /// The value of a key, or `absent` where it is not given.
   double number(const std::string& key, double absent, const Range& range = {}) const;

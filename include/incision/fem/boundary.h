@@ -7,7 +7,7 @@
 
 namespace incision {
 
-/// Index of the first clamp whose box contains the node, or −1, for every node.
+/// Index of the first clamp that has the node, or −1, for every node. Throws InputError where a group is missing.
 std::vector<int> heldNodes(const TetMesh& mesh, const std::vector<Clamp>& clamps);
 
 /// The clamp of every copy, or −1. A copy of a held node is held when it is the own copy, or when its parts own area of

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "incision/mesh/rest_box.h"
+#include "incision/mesh/place.h"
 
 namespace incision {
 
-/// Nodes whose rest position lies in the box move with a given velocity.
+/// The nodes of a place move with a given velocity.
 struct Clamp {
-  RestBox box;
+  Place place;
   Vec3 velocity = Vec3::Zero();  ///< [m/s]
 };
 
-/// A dead load on the boundary faces all of whose nodes lie in the box.
+/// A dead load on the boundary faces of a place.
 struct Load {
-  RestBox box;
+  Place place;
   Vec3 traction = Vec3::Zero();  ///< [Pa]
   double ramp = 0;               ///< time [s] from nothing to full; 0: at once
 };

@@ -7,6 +7,7 @@
 #include "incision/base/input_error.h"
 #include "incision/base/lists.h"
 #include "incision/base/vec.h"
+#include "incision/mesh/physical_group.h"
 
 namespace incision {
 
@@ -14,6 +15,7 @@ namespace incision {
 struct TetMesh {
   std::vector<Vec3> nodes;                   ///< rest positions X [m]; a node no element uses stays in the list
   std::vector<std::array<int, 4>> elements;  ///< nodes of each tetrahedron, det [X1−X0, X2−X0, X3−X0] > 0
+  std::vector<PhysicalGroup> groups = {};    ///< by dimension and number
 };
 
 /// Local nodes of the face opposite to local node `f`, counter-clockwise seen from outside the element.
