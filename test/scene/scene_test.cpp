@@ -79,7 +79,8 @@ TEST(Scene, BadSectionsAreRefusedWithSourceAndKey) {
             "fracture, contact, tool)");
   EXPECT_EQ(complaint(BODY + "gravity: -9.81"), "scene.yaml: gravity: '-9.81' (allowed: a list of 3)");
   EXPECT_EQ(complaint(BODY + "boundary: {box: 1}"), "scene.yaml: boundary: a map (allowed: a list)");
-  EXPECT_EQ(complaint(BODY + "boundary: [{velocity: [0, 0, 0]}]"), "scene.yaml: boundary.0: needs a group or a box (allowed: one of the two)");
+  EXPECT_EQ(complaint(BODY + "boundary: [{velocity: [0, 0, 0]}]"),
+            "scene.yaml: boundary.0: needs a group or a box (allowed: one of the two)");
   EXPECT_EQ(complaint("body: {grid: {cells: [1, 1, 1]}, material: {poisson_ratio: 0.5}}"),
             "scene.yaml: body.material.poisson_ratio: '0.5' (allowed: 0 to 0.4999)");
 }
