@@ -25,6 +25,15 @@ Obstacles obstaclesOf(const Scene& scene, const Descriptions& descriptions) {
   return loadObstacles(*scene.contact, descriptions.obstacles, scene.contact->obstacles);
 }
 
+/// Whether opening a crack takes energy anywhere.
+bool takesEnergy(const Scene& scene) {
+  const auto& regions = scene.body.regions;
+  return scene.fracture && (scene.fracture->fracture_energy ||
+                            std::any_of(regions.begin(), regions.end(), [](const RegionSettings& region) {
+                              return region.fracture_energy.has_value();
+                            }));
+}
+
 Motion atRest(const CutMesh& mesh) {
   Motion motion;
   for (int c = 0; c < mesh.numCopies(); ++c) motion.x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
@@ -39,7 +48,7 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
     : scene(s),
       cuts(byTime(s.cuts)),
       mesh(withOrderedElements(std::move(rest)), s.solver.threads),
-      materials(mesh.mesh(), s.body.material),
+      materials(mesh.mesh(), s.body.material, s.body.regions),
       step(mesh, materials, s.body.mass, s.body.pressure, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver,
            make_solver ? make_solver : makeLinearSolver),
       motion(atRest(mesh)),
@@ -68,7 +77,7 @@ void DeformableBody::State::makeCouplers() {
     own_couplers.push_back(std::make_unique<BodyContact>(*scene.contact, obstacles, obstacle_motions.inStep(), &skin));
     contacts.push_back(static_cast<Contact*>(own_couplers.back().get()));
   }
-  if (scene.fracture && scene.fracture->fracture_energy) {
+  if (takesEnergy(scene)) {
     own_couplers.push_back(std::make_unique<Cohesion>(*scene.fracture, materials));
     cohesion = static_cast<Cohesion*>(own_couplers.back().get());
   }

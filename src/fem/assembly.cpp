@@ -32,7 +32,7 @@ Assembly::Assembly(const CutMesh& mesh, const Materials& materials, Mass mass, P
   rotations_.reserve(expected);
   if (warping) found_rotations_.reserve(expected);
   part_forces_.reserve(expected);
-  if (pressure == Pressure::AVERAGED) patches_.emplace(mesh);
+  if (pressure == Pressure::AVERAGED) patches_.emplace(mesh, materials.regions());
 }
 
 void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int>& touched) {
@@ -90,11 +90,10 @@ void Assembly::sumCorners(int c) {
   masses_[c] = mass_diagonal_[c] = stiffness_diagonal_[c] = force_rounding_[c] = 0;
   for (const Corner& corner : corners_[c]) {
     const int p = corner.part, I = corner.node;
-    const Material& material = materialOf(p);
-    const double lambda = material.lambda(), mu = material.mu();
+    const auto& [lambda, mu] = lameOf(p);
     const Gradients b = rest_[mesh_.parts()[p].element].gradients();
     const double V = volume(p), largest = std::sqrt(b.colwise().squaredNorm().maxCoeff());
-    masses_[c] += material.density * V * mesh_.centroid(p)[I];
+    masses_[c] += densityOf(p) * V * mesh_.centroid(p)[I];
     mass_diagonal_[c] += massProduct(p, I, I);
     stiffness_diagonal_[c] += V * (lambda + 4 * mu) / 3 * b.col(I).squaredNorm();
     force_rounding_[c] +=
@@ -190,9 +189,8 @@ void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& ro
 
 /// σ of a part in its unrotated frame. With averaged pressure it takes the mean dilatation that was found last.
 Mat3 Assembly::stressOf(int part, const Mat3& RtF) const {
-  const Material& material = materialOf(part);
-  return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], material)
-                  : corotatedStress(RtF, material);
+  const Lame& lame = lameOf(part);
+  return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], lame) : corotatedStress(RtF, lame);
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {
@@ -238,14 +236,14 @@ double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
 
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
   const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
-  if (!patches_) return R * corotatedStress(R.transpose() * F, materialOf(part)) * R.transpose();
+  if (!patches_) return R * corotatedStress(R.transpose() * F, lameOf(part)) * R.transpose();
   double gained = 0;
   const int a = patches_->of(part);
   for (int p : patches_->parts()[a]) {
     const Mat3 F_p = gradientOf(p, x);
     gained += volume(p) * (rotationAt(p, F_p).cwiseProduct(F_p).sum() - 3);
   }
-  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), materialOf(part)) * R.transpose();
+  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), lameOf(part)) * R.transpose();
 }
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
@@ -255,14 +253,13 @@ void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) c
   turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
     found_rotations_[p] = R;
     const Mat3 RtF = R.transpose() * F;
-    const Material& material = materialOf(p);
-    (*stress)[p] = R * (patches_ ? corotatedStress(RtF, 0, material) : corotatedStress(RtF, material)) * R.transpose();
+    const Lame& lame = lameOf(p);
+    (*stress)[p] = R * (patches_ ? corotatedStress(RtF, 0, lame) : corotatedStress(RtF, lame)) * R.transpose();
   });
   if (!patches_) return;
   averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return found_rotations_[p]; });
-  parallelFor(static_cast<int>(stress->size()), threads_, [&](int p) {
-    (*stress)[p].diagonal().array() += materialOf(p).lambda() * mean_dilatations_[patches_->of(p)];
-  });
+  parallelFor(static_cast<int>(stress->size()), threads_,
+              [&](int p) { (*stress)[p].diagonal().array() += lameOf(p).lambda * mean_dilatations_[patches_->of(p)]; });
 }
 
 double Assembly::volume(int part) const {
@@ -280,7 +277,7 @@ Gradients Assembly::rotatedGradients(int part) const {
 }
 
 double Assembly::massProduct(int part, int I, int J) const {
-  const double element_mass = materialOf(part).density * rest_[mesh_.parts()[part].element].volume;
+  const double element_mass = densityOf(part) * rest_[mesh_.parts()[part].element].volume;
   if (mesh_.parts()[part].detail < 0) return element_mass * (I == J ? 2 : 1) / 20;
   return element_mass * mesh_.detail(part).products(I, J);
 }

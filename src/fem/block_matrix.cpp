@@ -69,18 +69,30 @@ class OuterProduct {
   Lanes<T> a_, first_, second_;
 };
 
-/// Adds g_I g_Jᵀ for all the corners of a row to its blocks.
-template <typename T>
+/// Adds g_I g_Jᵀ for the corners of a row, of those parts that are asked for, to its blocks.
+template <typename T, typename Test>
 void addProducts(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
-                 T* blocks) {
+                 const Test& isOf, T* blocks) {
   const int copy = pattern.copies[row];
   for (const Corner& corner : assembly.corners()[copy]) {
+    if (!isOf(corner.part)) continue;
     const T* g = &gradients[12 * static_cast<std::size_t>(corner.part)];
     const OuterProduct<T> g_I(g + 3 * corner.node);
     for (int J = 0; J < 4; ++J)
       if (const int slot = slotOf(assembly, pattern, row, corner, J); slot >= 0)
         g_I.addTo(blocks + BLOCK_SIZE * slot, g + 3 * J);
   }
+}
+
+template <typename T>
+using Block = Eigen::Matrix<T, 3, 3>;
+
+/// λ S + μ Sᵀ + μ tr(S) I, where S has the factor μ in it already.
+template <typename T>
+Block<T> stiffnessOf(T lame_ratio, const Block<T>& S) {
+  Block<T> stiffness = lame_ratio * S + S.transpose();
+  stiffness.diagonal().array() += S.trace();
+  return stiffness;
 }
 
 template <typename T>
@@ -95,6 +107,27 @@ void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, in
       const T mass = static_cast<T>(factor * assembly.massProduct(corner.part, corner.node, J) * scales);
       for (int i = 0; i < 3; ++i) blocks[BLOCK_SIZE * slot + 4 * i] += mass;
     }
+  }
+}
+
+/// Adds to the blocks of a row what its parts make, of which some have one ratio λ/μ and some another. The sums of each
+/// ratio are those that a row all of one ratio has, so that a block and the one opposite to it stay equal.
+template <typename T, typename Scaled>
+void addByRatio(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
+                const Scaled& scaled, T* blocks) {
+  thread_local std::vector<T> sums;
+  const Materials& materials = assembly.materials();
+  const int count = pattern.row_start[row + 1] - pattern.row_start[row];
+  const auto ratioOf = [&](int part) { return materials.lameRatio(assembly.mesh().parts()[part].element); };
+  for (int ratio = 0; ratio < static_cast<int>(materials.lameRatios().size()); ++ratio) {
+    const auto isOf = [&](int part) { return ratioOf(part) == ratio; };
+    const auto& corners = assembly.corners()[pattern.copies[row]];
+    if (std::none_of(corners.begin(), corners.end(), [&](const Corner& corner) { return isOf(corner.part); })) continue;
+    sums.assign(static_cast<std::size_t>(BLOCK_SIZE) * count + 1, T(0));  // a column is read as four
+    addProducts(assembly, pattern, row, gradients, isOf, sums.data());
+    for (int k = 0; k < count; ++k)
+      Eigen::Map<Block<T>>(blocks + BLOCK_SIZE * k) +=
+          stiffnessOf(static_cast<T>(materials.lameRatios()[ratio]), scaled(k, sums.data()));
   }
 }
 
@@ -133,19 +166,24 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
   findGradients(assembly, factors.stiffness, least);
   const bool averaged = assembly.patches() != nullptr;
   if (averaged) findPatchGradients(assembly, pattern, factors.stiffness, scale);
-  const T lambda = averaged ? T(0) : static_cast<T>(assembly.materials().lameRatio());
+  static const std::vector<double> NO_PRESSURE = {0};
+  const std::vector<double>& ratios = averaged ? NO_PRESSURE : assembly.materials().lameRatios();
   resizeWithRoom(BLOCK_SIZE * pattern.column.size() + 1, blocks);  // a column is read as four
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     const int begin = pattern.row_start[row], end = pattern.row_start[row + 1];
     T* first = &(*blocks)[static_cast<std::size_t>(BLOCK_SIZE) * begin];
     std::fill_n(first, BLOCK_SIZE * (end - begin), T(0));
-    addProducts(assembly, pattern, row, gradients_, first);
-    for (int k = begin; k < end; ++k) {
-      const T scales = static_cast<T>(scale[row] / least) * static_cast<T>(scale[pattern.column[k]] / least);
-      Eigen::Map<Eigen::Matrix<T, 3, 3>> block(first + BLOCK_SIZE * (k - begin));
-      const Eigen::Matrix<T, 3, 3> S = scales * block;
-      block = lambda * S + S.transpose();
-      block.diagonal().array() += S.trace();
+    const auto scaled = [&](int k, const T* sum) -> Block<T> {
+      const T scales = static_cast<T>(scale[row] / least) * static_cast<T>(scale[pattern.column[begin + k]] / least);
+      return scales * Eigen::Map<const Block<T>>(sum + BLOCK_SIZE * k);
+    };
+    if (ratios.size() == 1) {
+      addProducts(
+          assembly, pattern, row, gradients_, [](int) { return true; }, first);
+      for (int k = 0; k < end - begin; ++k)
+        Eigen::Map<Block<T>>(first + BLOCK_SIZE * k) = stiffnessOf(static_cast<T>(ratios[0]), scaled(k, first));
+    } else {
+      addByRatio(assembly, pattern, row, gradients_, scaled, first);
     }
     if (averaged) addPatches(assembly, pattern, row, patch_gradients_, first);
     if (assembly.consistentMass()) return addConsistentMass(assembly, pattern, row, scale, factors.mass, first);
@@ -160,7 +198,7 @@ void BlockAssembler<T>::findGradients(const Assembly& assembly, double stiffness
   const int parts = static_cast<int>(assembly.mesh().parts().size());
   resizeWithRoom(12 * static_cast<std::size_t>(parts) + 1, &gradients_);  // a column is read as four
   parallelFor(parts, assembly.threads(), [&](int p) {
-    const double mu = assembly.materials().of(assembly.mesh().parts()[p].element).mu();
+    const double mu = assembly.materials().lame(assembly.mesh().parts()[p].element).mu;
     const double root = least * std::sqrt(stiffness * assembly.volume(p) * mu);
     Eigen::Map<Eigen::Matrix<T, 3, 4>> g(&gradients_[12 * static_cast<std::size_t>(p)]);
     g = (root * assembly.rotatedGradients(p)).template cast<T>();
@@ -186,7 +224,7 @@ void BlockAssembler<T>::findPatchGradients(const Assembly& assembly, const Block
       volume += assembly.volume(p);
     }
     const int element = assembly.mesh().parts()[patches.parts()[a][0]].element;
-    const double root = std::sqrt(stiffness * assembly.materials().of(element).lambda() / volume);
+    const double root = std::sqrt(stiffness * assembly.materials().lame(element).lambda / volume);
     for (int i = 0; i < count; ++i) {
       const int row = pattern.row_of[patches.copies()[a][i]];
       if (row < 0) continue;

@@ -5,13 +5,14 @@
 namespace incision {
 
 BodySettings parseBody(const YamlValue& value) {
-  const YamlMap map = value.map({"mesh", "grid", "frame", "material", "pressure", "warping", "mass"});
+  const YamlMap map = value.map({"mesh", "grid", "frame", "material", "regions", "pressure", "warping", "mass"});
   if (map.has("mesh") == map.has("grid")) value.fail("needs a mesh or a grid (allowed: one of the two)");
   BodySettings body;
   if (const auto mesh = map.find("mesh")) body.mesh = mesh->path();
   if (const auto grid = map.find("grid")) body.grid = parseGrid(*grid);
   if (const auto frame = map.find("frame")) body.frame = frame->frame();
   if (const auto material = map.find("material")) body.material = parseMaterial(*material);
+  for (const YamlValue& region : map.list("regions")) body.regions.push_back(parseRegion(region));
   if (const auto pressure = map.find("pressure")) {
     body.pressure = pressure->choice<Pressure>({{"element", Pressure::ELEMENT}, {"averaged", Pressure::AVERAGED}});
   }

@@ -1,6 +1,7 @@
 #include "incision/fem/linear_tet.h"
 
 #include <Eigen/LU>
+#include <cmath>
 
 namespace incision {
 
@@ -16,6 +17,11 @@ std::vector<RestElement> restElements(const TetMesh& mesh) {
     rest[e].volume = Dm.determinant() / 6;
   }
   return rest;
+}
+
+double vonMises(const Mat3& stress) {
+  const Mat3 deviator = stress - stress.trace() / 3 * Mat3::Identity();
+  return std::sqrt(1.5 * deviator.squaredNorm());
 }
 
 }  // namespace incision

@@ -19,7 +19,8 @@ bool hangTogether(const TetMesh& mesh, const Part& p, int face, const Part& q) {
 
 }  // namespace
 
-Patches::Patches(const CutMesh& mesh) : mesh_(mesh), cluster_of_(edgeClusters(mesh.mesh(), mesh.topology())) {
+Patches::Patches(const CutMesh& mesh, const Regions& regions)
+    : mesh_(mesh), cluster_of_(edgeClusters(mesh.mesh(), mesh.topology(), regions)) {
   const int clusters = cluster_of_.empty() ? 0 : 1 + *std::max_element(cluster_of_.begin(), cluster_of_.end());
   elements_ = sortedByList(cluster_of_, clusters);
 }

@@ -44,8 +44,10 @@ struct CrackGrowth::PieceLoad {
 /// Returns the largest share of the strength in any part that does not wait.
 double CrackGrowth::load(const Assembly& assembly, const std::vector<Vec3>& x) {
   stress_.update(assembly, x);
+  const Regions& regions = assembly.materials().regions();
   parallelFor(static_cast<int>(loading_.size()), assembly.threads(), [&](int p) {
-    loading_[p] = waits(assembly.mesh(), p) ? Loading() : rankine(stress_.smoothed()[p], settings_);
+    const Strength& strength = strengths_[regions.of(assembly.mesh().parts()[p].element)];
+    loading_[p] = waits(assembly.mesh(), p) ? Loading() : rankine(stress_.smoothed()[p], strength);
   });
   double largest = 0;
   for (const Loading& loading : loading_) largest = std::max(largest, loading.share);

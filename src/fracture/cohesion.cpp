@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/fracture/rankine.h"
+
 namespace incision {
 namespace {
 
@@ -16,8 +18,15 @@ constexpr double LEAST_STEEPNESS = 4;
 
 }  // namespace
 
-Cohesion::Cohesion(const FractureSettings& settings, const Materials& materials)
-    : strength_(settings.tensile_strength), energy_(*settings.fracture_energy), materials_(materials) {}
+Cohesion::Cohesion(const FractureSettings& settings, const Materials& materials) : materials_(materials) {
+  const Regions& regions = materials.regions();
+  const auto energies = regions.values(settings.fracture_energy, &RegionSettings::fracture_energy);
+  const std::vector<Strength> strengths = strengthsOf(settings, regions);
+  for (int r = 0; r < regions.count(); ++r) {
+    const double energy = energies[r].value_or(0), strength = strengths[r].tensile;
+    laws_.push_back({strength, energy, 2 * energy / strength});
+  }
+}
 
 void Cohesion::add(const Insertion& done, const CutMesh& mesh, const std::vector<Vec3>& x) {
   for (int p : done.parts) {
@@ -25,11 +34,15 @@ void Cohesion::add(const Insertion& done, const CutMesh& mesh, const std::vector
     const Polytope& polytope = mesh.polytope(p);
     const Facet* facet = facetOf(polytope, done.crack);
     if (!facet) continue;
+    const int region = materials_.regions().of(part.element);
+    const Law& law = laws_[region];
+    if (law.last_opening == 0) continue;
     Bond bond;
+    bond.region = region;
     bond.section = sectionOf(mesh, p, *facet);
     bond.area = vectorArea(polytope, *facet, [&](const Barycentric& b) { return at(part, b, x); }).norm();
     bond.steepest =
-        std::max(STEEPNESS * materials_.stiffness(part.element), LEAST_STEEPNESS * strength_ / lastOpening());
+        std::max(STEEPNESS * materials_.stiffness(part.element), LEAST_STEEPNESS * law.strength / law.last_opening);
     memory_.bonds.push_back(bond);
   }
 }
@@ -42,10 +55,11 @@ void Cohesion::changed(const CutMesh& mesh) {
 /// Below δ_0 = σ_t / κ the traction is κ δ; beyond, σ_t (δ_c − δ) / (δ_c − δ_0). The triangle's area is σ_t δ_c / 2 = G
 /// whatever κ is. A section that has been open by δ keeps to the line from zero to the traction there.
 double Cohesion::slope(const Bond& bond, double opening) const {
-  const double rise = strength_ / bond.steepest, last = lastOpening();
+  const Law& law = lawOf(bond);
+  const double rise = law.strength / bond.steepest, last = law.last_opening;
   const double opened = std::max(bond.opened, opening);
   if (opened <= rise) return bond.steepest;
-  return opened < last ? strength_ * (last - opened) / ((last - rise) * opened) : 0;
+  return opened < last ? law.strength * (last - opened) / ((last - rise) * opened) : 0;
 }
 
 bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
@@ -90,21 +104,22 @@ void Cohesion::update(Span<const Vec3> moved, Span<Spring> springs) {
 }
 
 void Cohesion::accept(const StepSpan& /*span*/, Span<const Vec3> /*moved*/, const Motion& end, const Wrench& /*felt*/) {
+  const auto isOpen = [&](const Bond& bond) { return bond.opened >= lawOf(bond).last_opening; };
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     Bond& bond = memory_.bonds[i];
     const Vec3 y = weightedSum(stretches_[i].bonded, end.x), n = stretches_[i].normal;
     bond.opened = std::max(bond.opened, (y - std::min(0.0, n.dot(y)) * n).norm());
-    if (bond.opened >= lastOpening()) memory_.spent += bond.area * energy_;
+    if (isOpen(bond)) memory_.spent += bond.area * lawOf(bond).energy;
   }
-  const auto open = [&](const Bond& bond) { return bond.opened >= lastOpening(); };
-  memory_.bonds.erase(std::remove_if(memory_.bonds.begin(), memory_.bonds.end(), open), memory_.bonds.end());
+  memory_.bonds.erase(std::remove_if(memory_.bonds.begin(), memory_.bonds.end(), isOpen), memory_.bonds.end());
 }
 
 /// The area under the curve up to `opened`, less the triangle that closing gives back.
 double Cohesion::energyOf(const Bond& bond) const {
-  const double rise = strength_ / bond.steepest, last = lastOpening();
+  const Law& law = lawOf(bond);
+  const double rise = law.strength / bond.steepest, last = law.last_opening;
   if (bond.opened <= rise) return 0;
-  return bond.area * strength_ * last * (bond.opened - rise) / (2 * (last - rise));
+  return bond.area * law.strength * last * (bond.opened - rise) / (2 * (last - rise));
 }
 
 double Cohesion::dissipated() const {

@@ -49,6 +49,7 @@ void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<in
   memory_.waiting.resize(mesh.mesh().nodes.size(), 0);
   wait(touched);
   stress_.topologyChanged(assembly);
+  strengths_ = strengthsOf(settings_, assembly.materials().regions());
   loading_.resize(mesh.parts().size());
   fringes_ = findFringes(mesh, memory_.cracks);
   if (fuses()) {

@@ -4,11 +4,19 @@
 
 namespace incision {
 
-Loading rankine(const Mat3& stress, const FractureSettings& settings) {
+std::vector<Strength> strengthsOf(const FractureSettings& settings, const Regions& regions) {
+  const auto tensile = regions.values(settings.tensile_strength, &RegionSettings::tensile_strength);
+  const auto compressive = regions.values(settings.compressive_strength, &RegionSettings::compressive_strength);
+  std::vector<Strength> strengths;
+  for (int r = 0; r < regions.count(); ++r) strengths.push_back({tensile[r], compressive[r]});
+  return strengths;
+}
+
+Loading rankine(const Mat3& stress, const Strength& strength) {
   Eigen::SelfAdjointEigenSolver<Mat3> principal;
   principal.computeDirect(stress, Eigen::EigenvaluesOnly);
   const double smallest = principal.eigenvalues()[0], largest = principal.eigenvalues()[2];
-  const double tension = largest / settings.tensile_strength, compression = -smallest / settings.compressive_strength;
+  const double tension = largest / strength.tensile, compression = -smallest / strength.compressive;
   if (compression > tension && compression > 0) return {compression, smallest, FailureKind::COMPRESSION};
   if (tension > 0) return {tension, largest, FailureKind::TENSION};
   return {};

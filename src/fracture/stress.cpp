@@ -18,9 +18,9 @@ bool crackEndsAt(const CutMesh& mesh, int part, int face, int across) {
   });
 }
 
-/// All pairs of parts that share a face, are not severed there, and of which not one alone is split by a crack that
-/// reaches the face.
-std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
+/// All pairs of parts of one region that share a face, are not severed there, and of which not one alone is split by a
+/// crack that reaches the face.
+std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh, const Regions& regions) {
   std::vector<std::pair<int, int>> joined;
   joined.reserve(2 * mesh.parts().size());
   const auto& neighbours = mesh.topology().neighbours;
@@ -28,6 +28,7 @@ std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
     for (int face = 0; face < 4; ++face) {
       const int across = neighbours[e][face];
       if (across < e) continue;  // the boundary, or seen from the other side
+      if (regions.of(across) != regions.of(e)) continue;
       if (mesh.isWhole(e) && mesh.isWhole(across)) {
         joined.emplace_back(e, across);
         continue;
@@ -45,7 +46,7 @@ std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh) {
 
 void SmoothedStress::topologyChanged(const Assembly& assembly) {
   const std::size_t parts = assembly.mesh().parts().size();
-  const std::vector<std::pair<int, int>> joined = joinedParts(assembly.mesh());
+  const std::vector<std::pair<int, int>> joined = joinedParts(assembly.mesh(), assembly.materials().regions());
   neighbours_.sort(static_cast<int>(parts), [&](const auto& add) {
     for (const auto& [p, q] : joined) {
       add(p, q);

@@ -76,6 +76,8 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
   for (const Quantity& quantity : quantitiesOf(body, statistics.last()))
     line[quantity.name] = std::visit([](const auto& value) { return toJson(value); }, quantity.value);
   line["piece_volumes"] = body.pieceVolumes();
+  const std::vector<double> volumes = body.regionVolumes();
+  for (int r = 0; r < body.regions().count(); ++r) line["regions"][body.regions().name(r)] = volumes[r];
   line["step_ms"] = {
       {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.quantile(1)}};
   line["phase_ms"] = {{"cut", phases.cut},           {"fracture", phases.fracture}, {"contact", phases.contact},

@@ -40,11 +40,20 @@ const std::vector<Section>& sections() {
       {"loads", false, each(&Scene::loads, parseLoad)},
       {"solver", false, one(&Scene::solver, parseSolver)},
       {"cuts", false, each(&Scene::cuts, parseCut)},
-      {"fracture", false, one(&Scene::fracture, parseFracture)},
+      {"fracture", false,
+       [](const YamlValue& value, Scene* scene) { scene->fracture = parseFracture(value, scene->body.regions); }},
       {"contact", false, one(&Scene::contact, parseContact)},
       {"tool", false, one(&Scene::tool, parseTool)},
   };
   return all;
+}
+
+// A strength must not be given in vain.
+void checkRegions(const Scene& scene) {
+  if (scene.fracture) return;
+  for (const RegionSettings& region : scene.body.regions)
+    if (region.tensile_strength || region.compressive_strength || region.fracture_energy)
+      throw InputError(region.place.said_at + ": a strength or a fracture_energy needs the section fracture");
 }
 
 Scene parseSections(const YamlValue& root) {
@@ -55,6 +64,7 @@ Scene parseSections(const YamlValue& root) {
   for (const Section& section : sections()) {
     if (section.needed || map.has(section.key)) section.read(map.at(section.key), &scene);
   }
+  checkRegions(scene);
   return scene;
 }
 

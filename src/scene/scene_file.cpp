@@ -82,7 +82,11 @@ std::string loadDescription(const Scene& scene) {
   if (!scene.tool) return "";
   const ToolSettings& tool = *scene.tool;
   const bool has_shapes = !tool.description.empty() && !tool.link.empty();
-  const bool needs_shapes = scene.contact || tool.cutting_force > 0;
+  const auto& regions = scene.body.regions;
+  const bool resists = tool.cutting_force > 0 || std::any_of(regions.begin(), regions.end(), [](const auto& region) {
+                         return region.cutting_force.value_or(0) > 0;
+                       });
+  const bool needs_shapes = scene.contact || resists;
   return !tool.edge || (has_shapes && needs_shapes) ? readText(tool.description) : "";
 }
 

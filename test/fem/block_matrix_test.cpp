@@ -12,20 +12,38 @@
 namespace incision {
 namespace {
 
-class SystemMatrix : public ::testing::TestWithParam<Mass> {
+const Material TISSUE = {1e5, 0.4, 1100, 0, 0};
+
+// Some of the copies lie in one region, some in another, some at the border.
+std::vector<RegionSettings> stiffUpperCorner() {
+  RegionSettings region;
+  region.place = {Vec3(0.29, 0.24, -1), Vec3(1, 1, 1)};
+  region.young_modulus = 3e6;
+  region.poisson_ratio = 0.2;
+  region.density = 500;
+  return {region};
+}
+
+struct Tissue {
+  Mass mass;
+  bool in_regions;
+};
+
+class SystemMatrix : public ::testing::TestWithParam<Tissue> {
  protected:
   SystemMatrix() : rig(block({2, 2, 1}, Vec3(0.6, 0.5, 0.3)), {}) {
+    if (GetParam().in_regions) materials = Materials(rig.mesh.mesh(), TISSUE, stiffUpperCorner());
     rig.cut(plane(Vec3(0.28, 0.2, 0.1), Vec3(1, 0.3, 0.2)));
     rig.cut(rectangle(Vec3(0.6, 0.22, 0.1), Vec3(0, 1, 0.1), Vec3::UnitX(), 0.5, 0));
     const std::vector<Vec3> moves = randomVectors(rig.motion.x.size(), 0.05, 9);
     for (std::size_t c = 0; c < moves.size(); ++c) rig.motion.x[c] += moves[c];
-    assembly = std::make_unique<Assembly>(rig.mesh, materials, GetParam(), Pressure::ELEMENT, true, 1);
+    assembly = std::make_unique<Assembly>(rig.mesh, materials, GetParam().mass, Pressure::ELEMENT, true, 1);
     assembly->topologyChanged(rig.motion.x);
     assembly->rotate(rig.motion.x);
   }
 
   Rig rig;
-  Materials materials{rig.mesh.mesh(), {1e5, 0.4, 1100, 0, 0}};
+  Materials materials{rig.mesh.mesh(), TISSUE};
   std::unique_ptr<Assembly> assembly;
 };
 
@@ -105,7 +123,9 @@ TEST_P(SystemMatrix, InFloatIsTheScaledOneInDouble) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(BlockMatrix, SystemMatrix, ::testing::Values(Mass::LUMPED, Mass::CONSISTENT));
+INSTANTIATE_TEST_SUITE_P(BlockMatrix, SystemMatrix,
+                         ::testing::Values(Tissue{Mass::LUMPED, false}, Tissue{Mass::LUMPED, true},
+                                           Tissue{Mass::CONSISTENT, false}, Tissue{Mass::CONSISTENT, true}));
 
 }  // namespace
 }  // namespace incision

@@ -39,5 +39,27 @@ TEST(Materials, AnElementTwiceAsLargeIsHalfAsStiff) {
   EXPECT_NEAR(large.stiffness(0), TISSUE.young_modulus / 2, TISSUE.young_modulus * ROUNDING);
 }
 
+TEST(Materials, WhatARegionDoesNotSayIsTheBodys) {
+  const TetMesh mesh = gridMesh({{2, 1, 1}, Vec3(2, 1, 1), Vec3::Zero()});
+  RegionSettings stiff, dense;
+  stiff.place = {Vec3(1, 0, 0), Vec3(2, 1, 1)};
+  stiff.young_modulus = 1e6;
+  dense.place = {Vec3(0, 0, 0), Vec3(1, 1, 1)};
+  dense.density = 2000;
+  dense.poisson_ratio = 0.1;
+  const Materials materials(mesh, TISSUE, {stiff, dense});
+  for (std::size_t n = 0; n < mesh.elements.size(); ++n) {
+    const int e = static_cast<int>(n);
+    const bool is_stiff = mesh.nodes[mesh.elements[n][0]].x() + mesh.nodes[mesh.elements[n][3]].x() > 2.5 || n >= 6;
+    EXPECT_EQ(materials.of(e).young_modulus, is_stiff ? 1e6 : TISSUE.young_modulus);
+    EXPECT_EQ(materials.of(e).poisson_ratio, is_stiff ? TISSUE.poisson_ratio : 0.1);
+    EXPECT_EQ(materials.of(e).density, is_stiff ? TISSUE.density : 2000);
+    EXPECT_EQ(materials.lame(e).mu, materials.of(e).mu());
+    const double ratio = materials.lame(e).lambda / materials.lame(e).mu;
+    EXPECT_NEAR(materials.lameRatios()[materials.lameRatio(e)], ratio, ROUNDING * ratio);
+  }
+  EXPECT_EQ(materials.lameRatios().size(), 2u);
+}
+
 }  // namespace
 }  // namespace incision

@@ -44,7 +44,7 @@ test::DeformedMesh cutBox(test::Random* random) {
 
 TEST(EdgeClusters, OfAGridAreItsCells) {
   const TetMesh mesh = block({4, 3, 2}, Vec3(1, 1.3, 0.2));
-  const std::vector<int> clusters = edgeClusters(mesh, buildTopology(mesh));
+  const std::vector<int> clusters = edgeClusters(mesh, buildTopology(mesh), Regions());
   for (std::size_t e = 0; e < clusters.size(); ++e) EXPECT_EQ(clusters[e], clusters[e - e % 6]);
   EXPECT_EQ(sizesOf(clusters), std::vector<int>(24, 6));
 }
@@ -52,7 +52,7 @@ TEST(EdgeClusters, OfAGridAreItsCells) {
 TEST(EdgeClusters, OfElementsInAnyOrderAreOfMiddlingSize) {
   test::Random random(91);
   const TetMesh mesh = test::jitteredGrid({{5, 5, 5}, Vec3::Ones(), Vec3::Zero()}, 0.3, &random);
-  for (int size : sizesOf(edgeClusters(mesh, buildTopology(mesh)))) {
+  for (int size : sizesOf(edgeClusters(mesh, buildTopology(mesh), Regions()))) {
     EXPECT_GE(size, 3);
     EXPECT_LE(size, 12);
   }
@@ -61,14 +61,14 @@ TEST(EdgeClusters, OfElementsInAnyOrderAreOfMiddlingSize) {
 TEST(EdgeClusters, AnEdgeWithTooManyElementsMakesNone) {
   constexpr int RIM = 1000;
   const TetMesh fan = fanMesh(RIM);
-  EXPECT_EQ(sizesOf(edgeClusters(fan, buildTopology(fan))), std::vector<int>(RIM, 1));
+  EXPECT_EQ(sizesOf(edgeClusters(fan, buildTopology(fan), Regions())), std::vector<int>(RIM, 1));
 }
 
 TEST(Patches, EndAtCracks) {
   test::Random random(92);
   for (int run = 0; run < 10; ++run) {
     const test::DeformedMesh cut = cutBox(&random);
-    Patches patches(cut.mesh);
+    Patches patches(cut.mesh, Regions());
     patches.topologyChanged({});
     int pieces = 0;
     const std::vector<int> piece = cut.mesh.copyPieces(&pieces);
@@ -80,15 +80,32 @@ TEST(Patches, EndAtCracks) {
   }
 }
 
+TEST(Patches, EndAtRegions) {
+  test::Random random(97);
+  const TetMesh mesh = test::jitteredGrid(BOX, 0.2, &random);
+  RegionSettings core;
+  core.place = {Vec3(0.3, 0.3, 0.3), Vec3(0.7, 0.7, 0.7)};
+  const Regions regions(mesh, {core});
+  const std::vector<int> clusters = edgeClusters(mesh, buildTopology(mesh), regions);
+  std::map<int, int> region_of;  // of each cluster
+  std::set<int> met;
+  for (std::size_t e = 0; e < clusters.size(); ++e) {
+    const int region = regions.of(static_cast<int>(e));
+    met.insert(region);
+    EXPECT_EQ(region_of.try_emplace(clusters[e], region).first->second, region);
+  }
+  EXPECT_EQ(met.size(), 2u);
+}
+
 TEST(Patches, EditedAfterCutsAreTheOnesMadeAnew) {
   test::Random random(93);
   for (int run = 0; run < 10; ++run) {
     test::DeformedMesh cut(test::jitteredGrid(BOX, 0.2, &random));
-    Patches edited(cut.mesh);
+    Patches edited(cut.mesh, Regions());
     edited.topologyChanged({});
     for (int k = 0; k < 6; ++k) {
       edited.topologyChanged(cut.cut(k % 2 ? random.rectangle(BOX, 0.3, 1) : random.plane(BOX)).touched);
-      Patches anew(cut.mesh);
+      Patches anew(cut.mesh, Regions());
       anew.topologyChanged({});
       expectSameSets(edited, anew, static_cast<int>(cut.mesh.parts().size()));
     }

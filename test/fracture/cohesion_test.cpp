@@ -27,7 +27,8 @@ FractureSettings cohesive() {
 /// A bar that a crack has gone through, whose halves a test moves apart.
 class BrokenBar : public Rig {
  public:
-  BrokenBar() : Rig(block({4, 2, 2}, Vec3(1, 0.25, 0.25)), settings()), cohesion(cohesive(), materials) {
+  explicit BrokenBar(const std::vector<RegionSettings>& regions = {})
+      : Rig(block({4, 2, 2}, Vec3(1, 0.25, 0.25)), settings(regions)), cohesion(cohesive(), materials) {
     cohesion.add(cut(plane(Vec3(0.47, 0, 0), Vec3::UnitX())), mesh, motion.x);
     cohesion.changed(mesh);
     int count = 0;
@@ -81,14 +82,24 @@ class BrokenBar : public Rig {
   Cohesion cohesion;
 
  private:
-  static RigSettings settings() {
+  static RigSettings settings(const std::vector<RegionSettings>& regions) {
     RigSettings settings;
+    settings.regions = regions;
     settings.material.young_modulus = YOUNG;
     return settings;
   }
   bool onPositiveSide(int copy) const { return piece[copy] != piece[mesh.ownCopy(0)]; }
   std::vector<int> piece;
 };
+
+TEST(Cohesion, EachRegionTakesItsOwnEnergy) {
+  RegionSettings tough;
+  tough.place = {Vec3(-1, 0.125, -1), Vec3(2, 1, 1)};
+  tough.fracture_energy = 3 * ENERGY;
+  BrokenBar bar({tough});
+  for (int k = 0; k < 40; ++k) bar.move(Vec3(LAST / 10, 0, 0));
+  EXPECT_NEAR(bar.cohesion.dissipated(), 2 * ENERGY * AREA, 1e-9 * ENERGY * AREA);
+}
 
 TEST(Cohesion, TheTractionFallsFromTheStrengthToNothing) {
   BrokenBar bar;

@@ -16,7 +16,8 @@ constexpr double STRETCH = 0.01, STRENGTH = 1e4;  // what 1 % takes of E = 1e6 P
 /// A bar along x in empty space, stretched by so much.
 class StretchedBar : public Rig {
  public:
-  explicit StretchedBar(double stretch) : Rig(block({8, 2, 2}, Vec3(1, 0.25, 0.25)), settings()) {
+  explicit StretchedBar(double stretch, const RigSettings& tissue = settings())
+      : Rig(block({8, 2, 2}, Vec3(1, 0.25, 0.25)), tissue) {
     for (Vec3& x : motion.x) x[0] *= 1 + stretch;
   }
   static RigSettings settings() {
@@ -59,6 +60,19 @@ FractureSettings strength(double tensile) {
   FractureSettings settings;
   settings.tensile_strength = tensile;
   return settings;
+}
+
+TEST(CrackGrowth, OnlyAWeakRegionCracks) {
+  RigSettings settings = StretchedBar::settings();
+  settings.regions.resize(1);
+  settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(0.75, 1, 1)};
+  settings.regions[0].tensile_strength = 0.9 * STRENGTH;
+  StretchedBar bar(0.95 * STRETCH, settings);
+  CrackGrowth growth(strength(STRENGTH));
+  growth.topologyChanged(bar.step.assembly(), {});
+  const std::vector<CrackAdvance> advances = bar.advances(&growth);
+  ASSERT_EQ(advances.size(), 1u);
+  for (int p : advances[0].parts) EXPECT_EQ(bar.materials.regions().of(bar.mesh.parts()[p].element), 1);
 }
 
 TEST(CrackGrowth, NothingCracksBelowTheStrength) {

@@ -12,12 +12,7 @@ namespace {
 
 constexpr double INF = std::numeric_limits<double>::infinity();
 
-FractureSettings strengths(double tensile, double compressive) {
-  FractureSettings settings;
-  settings.tensile_strength = tensile;
-  settings.compressive_strength = compressive;
-  return settings;
-}
+Strength strengths(double tensile, double compressive) { return {tensile, compressive}; }
 
 Mat3 principal(const Mat3& R, double smallest, double middle, double largest) {
   return R * Vec3(smallest, middle, largest).asDiagonal() * R.transpose();

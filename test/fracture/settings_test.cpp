@@ -23,7 +23,7 @@ TEST(FractureSettings, ArriveFromTheirSection) {
 }
 
 TEST(FractureSettings, BadValuesAreRefused) {
-  test::expectRefused(parseFracture, "fracture",
+  test::expectRefused([](const YamlValue& value) { return parseFracture(value); }, "fracture",
                       {{"{}", ": needs a tensile_strength or a compressive_strength"},
                        {"{tensile_strength: .inf}", ": needs a tensile_strength"},
                        {"{tensile_strength: 0}", ".tensile_strength"},
@@ -39,6 +39,25 @@ TEST(FractureSettings, BadValuesAreRefused) {
                        {"{tensile_strength: 1, fracture_energy: 0}", ".fracture_energy"},
                        {"{compressive_strength: 1, fracture_energy: 1}", ".fracture_energy: needs a tensile_strength"},
                        {"{toughness: 1}", ".toughness: unknown key"}});
+}
+
+TEST(FractureSettings, OneRegionThatBreaksIsEnough) {
+  std::vector<RegionSettings> regions(2);
+  regions[1].place.said_at = "scene.yaml: body.regions.1";
+  const auto parse = [&](const std::string& text) { return parseFracture(test::section("fracture", text), regions); };
+  EXPECT_THROW(parse("{}"), InputError);
+  regions[1].compressive_strength = 1e5;
+  EXPECT_TRUE(std::isinf(parse("{}").tensile_strength));
+  regions[1].fracture_energy = 10;
+  try {
+    parse("{}");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "scene.yaml: body.regions.1.fracture_energy: needs a tensile_strength, here or of the body");
+  }
+  regions[1].tensile_strength = 1e4;
+  EXPECT_NO_THROW(parse("{}"));
 }
 
 }  // namespace

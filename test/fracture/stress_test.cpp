@@ -63,6 +63,23 @@ TEST(SmoothedStress, NothingCrossesACut) {
   }
 }
 
+TEST(SmoothedStress, NothingCrossesFromOneRegionToAnother) {
+  RigSettings settings;
+  settings.regions.resize(1);
+  settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(2, 2, 2)};
+  settings.regions[0].young_modulus = 100 * settings.material.young_modulus;
+  Rig rig(block({4, 2, 2}, Vec3(1, 0.5, 0.5)), settings);
+  for (Vec3& x : rig.motion.x) x[0] *= 1.1;
+  SmoothedStress stress;
+  stress.topologyChanged(rig.step.assembly());
+  stress.update(rig.step.assembly(), rig.motion.x);
+  for (std::size_t p = 0; p < rig.mesh.parts().size(); ++p) {
+    const Lame& lame = rig.materials.lame(rig.mesh.parts()[p].element);
+    const double pulled = 0.1 * (lame.lambda + 2 * lame.mu);
+    EXPECT_NEAR(stress.smoothed()[p](0, 0), pulled, 1e-9 * pulled);
+  }
+}
+
 TEST(SmoothedStress, WhatACrackRelievesDoesNotHideWhatLiesAhead) {
   Rig rig(block({4, 4, 2}, Vec3(1, 1, 0.5)), RigSettings());
   const Insertion done = rig.cut(rectangle(Vec3(0.47, 0, 0), Vec3::UnitX(), Vec3::UnitY(), 1, 4));

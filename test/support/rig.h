@@ -85,6 +85,7 @@ struct RigSettings {
   bool warping = true;
   BoundaryConditions conditions;
   SolverSettings solver = {0.01, Method::DIRECT, 1e-6, 1};
+  std::vector<RegionSettings> regions = {};
 };
 
 /// A body whose positions and velocities a test may set.
@@ -92,7 +93,7 @@ class Rig {
  public:
   Rig(TetMesh rest, const RigSettings& settings)
       : mesh(std::move(rest)),
-        materials(mesh.mesh(), settings.material),
+        materials(mesh.mesh(), settings.material, settings.regions),
         step(mesh, materials, settings.mass, settings.pressure, settings.warping, settings.conditions, settings.solver),
         time_step(settings.solver.time_step) {
     motion.x = restPositions(mesh);

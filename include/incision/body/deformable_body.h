@@ -12,6 +12,7 @@
 #include "incision/contact/contact_report.h"
 #include "incision/contact/obstacles.h"
 #include "incision/cut/cut_result.h"
+#include "incision/fem/regions.h"
 #include "incision/fracture/growth.h"
 #include "incision/scene/scene.h"
 #include "incision/solver/linear_solver.h"
@@ -127,6 +128,7 @@ class DeformableBody {
 
   const Scene& scene() const;
   const CutMesh& mesh() const;
+  const Regions& regions() const;
   std::int64_t steps() const;
   /// Of these, those in which the forces of couplers did not settle.
   std::int64_t unsettledSteps() const;
@@ -138,8 +140,9 @@ class DeformableBody {
 
   BodyCounts counts() const;
   BodyMotion motion() const;
-  std::vector<double> pieceVolumes() const;  ///< rest volumes [m³], ascending
-  std::vector<Mat3> partStress() const;      ///< Cauchy stress [Pa] of every part, in the body's frame
+  std::vector<double> pieceVolumes() const;   ///< rest volumes [m³], ascending
+  std::vector<double> regionVolumes() const;  ///< rest volume of each region [m³]
+  std::vector<Mat3> partStress() const;       ///< Cauchy stress [Pa] of every part, in the body's frame
 
   /// The closed surface; rebuilt only after its topology changed.
   const Surface& surface() const;

@@ -89,7 +89,8 @@ class Assembly {
   template <typename Rotation>
   void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
   Mat3 stressOf(int part, const Mat3& RtF) const;
-  const Material& materialOf(int part) const { return materials_.of(mesh_.parts()[part].element); }
+  double densityOf(int part) const { return materials_.of(mesh_.parts()[part].element).density; }
+  const Lame& lameOf(int part) const { return materials_.lame(mesh_.parts()[part].element); }
   template <typename Function>
   void gather(const Function& atCorner, std::vector<Vec3>* result) const;
   void findCorners(const std::vector<char>& touched);

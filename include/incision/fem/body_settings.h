@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "incision/fem/mass.h"
 #include "incision/fem/material.h"
 #include "incision/fem/pressure.h"
+#include "incision/fem/region_settings.h"
 #include "incision/mesh/grid_settings.h"
 
 namespace incision {
@@ -15,6 +17,7 @@ struct BodySettings {
   std::optional<GridSettings> grid;  ///< exactly one of the two is given
   std::string frame = "body";        ///< tf frame of the body's coordinates
   Material material;
+  std::vector<RegionSettings> regions = {};  ///< later ones win where they overlap
   bool warping = true;
   Mass mass = Mass::LUMPED;
   Pressure pressure = Pressure::ELEMENT;

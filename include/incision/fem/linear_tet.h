@@ -36,14 +36,17 @@ inline Mat3 gradient(const Vec3& y0, const Vec3& y1, const Vec3& y2, const Vec3&
 inline Mat3 corotatedStrain(const Mat3& RtF) { return 0.5 * (RtF + RtF.transpose()) - Mat3::Identity(); }
 
 /// Stress [Pa] in the unrotated frame for RᵀF: σ = λ tr(ε) I + 2 μ ε.
-inline Mat3 corotatedStress(const Mat3& RtF, const Material& material) {
+inline Mat3 corotatedStress(const Mat3& RtF, const Lame& lame) {
   const Mat3 strain = corotatedStrain(RtF);
-  return material.lambda() * strain.trace() * Mat3::Identity() + 2 * material.mu() * strain;
+  return lame.lambda * strain.trace() * Mat3::Identity() + 2 * lame.mu * strain;
 }
 
 /// Stress [Pa] in the unrotated frame for RᵀF and a dilatation θ from elsewhere: σ = λ θ I + 2 μ ε.
-inline Mat3 corotatedStress(const Mat3& RtF, double dilatation, const Material& material) {
-  return material.lambda() * dilatation * Mat3::Identity() + 2 * material.mu() * corotatedStrain(RtF);
+inline Mat3 corotatedStress(const Mat3& RtF, double dilatation, const Lame& lame) {
+  return lame.lambda * dilatation * Mat3::Identity() + 2 * lame.mu * corotatedStrain(RtF);
 }
+
+/// Von Mises' equivalent stress √(3/2 s : s) [Pa] of the deviator s of a stress.
+double vonMises(const Mat3& stress);
 
 }  // namespace incision

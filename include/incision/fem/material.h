@@ -6,6 +6,11 @@ namespace incision {
 
 class YamlValue;
 
+/// Lamé's constants [Pa].
+struct Lame {
+  double lambda, mu;
+};
+
 /// Linear isotropic tissue with Rayleigh damping C = α M + β K.
 struct Material {
   /// Softer or harder than this [Pa] is a slip of units: rubber foam is 1e4 Pa, diamond 1e12 Pa.
@@ -23,6 +28,7 @@ struct Material {
   /// Lamé's constants [Pa].
   double lambda() const { return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
   double mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
+  Lame lame() const { return {lambda(), mu()}; }
 };
 
 /// Throws InputError.

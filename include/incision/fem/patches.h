@@ -4,13 +4,14 @@
 
 #include "incision/base/lists.h"
 #include "incision/cut/cut_mesh.h"
+#include "incision/fem/regions.h"
 
 namespace incision {
 
 /// Sets of elements round an edge each, some six: the cell of a grid, for one. Returns the cluster of every element.
 /// Edges that most elements surround come first, long ones before short ones; what is left over joins its smallest
-/// neighbour.
-std::vector<int> edgeClusters(const TetMesh& mesh, const MeshTopology& topology);
+/// neighbour. No cluster crosses from one region to another.
+std::vector<int> edgeClusters(const TetMesh& mesh, const MeshTopology& topology, const Regions& regions);
 
 /// Patches of parts that share one mean dilatation. A linear tetrahedron has one for itself, more of them than a body
 /// has freedoms to change its volume by, so tissue of ν near 0.5 locks; a patch has about as many as there are nodes.
@@ -24,7 +25,7 @@ class Patches {
   };
 
   /// `mesh` must outlive this.
-  explicit Patches(const CutMesh& mesh);
+  Patches(const CutMesh& mesh, const Regions& regions);
 
   /// Takes over the mesh's parts and copies, of which those round the nodes `touched` have changed; the first call
   /// takes all.

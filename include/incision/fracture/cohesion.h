@@ -12,6 +12,7 @@ namespace incision {
 /// The section of one part that a crack has opened, bonded at its centroid.
 struct Bond {
   Section section;
+  int region;         ///< of the part
   double area;        ///< [m²]
   double steepest;    ///< κ [Pa/m], the slope up to σ_t
   double opened = 0;  ///< the largest δ in a step that was taken [m]
@@ -19,8 +20,8 @@ struct Bond {
 
 template <class Archive>
 void serialize(Archive& archive, Bond& bond) {
-  auto& [section, area, steepest, opened] = bond;
-  archive(section, area, steepest, opened);
+  auto& [section, region, area, steepest, opened] = bond;
+  archive(section, region, area, steepest, opened);
 }
 
 /// What of the cohesion outlasts a step.
@@ -41,7 +42,7 @@ void serialize(Archive& archive, CohesionMemory& memory) {
 /// that would cross are pushed apart as steeply as they were bonded, as long as they are bonded at all.
 class Cohesion : public WithMemory<Coupler, CohesionMemory> {
  public:
-  /// Needs a fracture energy. `materials` must outlive this.
+  /// Needs a fracture energy, of the body or of a region. `materials` must outlive this.
   Cohesion(const FractureSettings& settings, const Materials& materials);
 
   /// A crack has just split these parts, and the copies stand at `x` [m].
@@ -66,12 +67,17 @@ class Cohesion : public WithMemory<Coupler, CohesionMemory> {
     double slope;         // that the last springs have [Pa/m]
   };
 
-  double lastOpening() const { return 2 * energy_ / strength_; }
+  /// How a region's tissue tears: σ_t [Pa], G [J/m²] and δ_c [m].
+  struct Law {
+    double strength = 0, energy = 0, last_opening = 0;
+  };
+
+  const Law& lawOf(const Bond& bond) const { return laws_[bond.region]; }
   double slope(const Bond& bond, double opening) const;
   double energyOf(const Bond& bond) const;
 
-  double strength_, energy_;
   const Materials& materials_;
+  std::vector<Law> laws_;           // of each region; without energy, nothing bonds
   std::vector<Stretch> stretches_;  // of each bond
 };
 

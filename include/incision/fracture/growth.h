@@ -119,7 +119,8 @@ class CrackGrowth {
   Memory memory_;
   // Scratch: found again from memory and mesh.
   SmoothedStress stress_;
-  std::vector<Loading> loading_;  // of every part
+  std::vector<Strength> strengths_;  // of every region
+  std::vector<Loading> loading_;     // of every part
   std::vector<Fringe> fringes_;
   std::vector<CrackFace> faces_;  // of all cracks, where cracks fuse
   std::vector<Target> targets_;   // of every fringe, where cracks fuse

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "incision/fem/regions.h"
 #include "incision/fracture/settings.h"
 #include "incision/mesh/tet_mesh.h"
 
@@ -16,9 +18,17 @@ struct Loading {
   FailureKind kind = FailureKind::TENSION;
 };
 
+/// The largest tension and compression that a tissue bears [Pa], > 0.
+struct Strength {
+  double tensile, compressive;
+};
+
+/// Of each region.
+std::vector<Strength> strengthsOf(const FractureSettings& settings, const Regions& regions);
+
 /// Rankine's criterion: the largest principal stress against the tensile strength, the smallest against the compressive
 /// one; what comes closer to its strength decides. A stress that is not finite loads nothing.
-Loading rankine(const Mat3& stress, const FractureSettings& settings);
+Loading rankine(const Mat3& stress, const Strength& strength);
 
 /// Unit normal of the crack that the stress opens: the direction of the largest principal stress, for either kind. In
 /// tension the crack lies across the pull. In compression it lies along the direction of the smallest principal stress,

@@ -2,8 +2,10 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "incision/base/range.h"
+#include "incision/fem/region_settings.h"
 
 namespace incision {
 
@@ -27,7 +29,7 @@ struct FractureSettings {
   std::optional<double> fracture_energy;
 };
 
-/// The section `fracture`. Throws InputError.
-FractureSettings parseFracture(const YamlValue& value);
+/// The section `fracture`, for a body with these regions. Throws InputError.
+FractureSettings parseFracture(const YamlValue& value, const std::vector<RegionSettings>& regions = {});
 
 }  // namespace incision

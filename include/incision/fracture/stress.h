@@ -7,7 +7,8 @@
 
 namespace incision {
 
-/// Stress of the parts, smoothed: the mean by volume of a part's and of those that hang together with it across a face.
+/// Stress of the parts, smoothed: the mean by volume of a part's and of those of its region that hang together with it
+/// across a face.
 /// Nothing is averaged across a crack, nor across the face at which one ends: it relieves what lies behind, and ahead
 /// is where the stress must be seen.
 class SmoothedStress {

@@ -50,7 +50,7 @@ Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vecto
 CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
                          ToolInStep* tool, const Ties& ties, const Stroke& stroke, const Materials& materials,
                          const CutMesh& mesh)
-    : cutting_force_(settings.cutting_force),
+    : cutting_forces_(materials.regions().values(settings.cutting_force, &RegionSettings::cutting_force)),
       friction_(settings.friction),
       edge_(edge),
       tool_(tool),
@@ -99,7 +99,7 @@ bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
   }
   for (const Station& station : stations_)
     if (station.tissue.count > 0) springs->push_back(station.tissue);
-  return resists && cutting_force_ > 0;
+  return resists && *std::max_element(cutting_forces_.begin(), cutting_forces_.end()) > 0;
 }
 
 void CuttingEdge::findNear(const Edge& edge, const StepStart& start) {
@@ -136,6 +136,7 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   const Found& found = ahead ? *ahead : *here;
   station->tissue = found.tissue;
   station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * station->front;
+  station->most = cutting_forces_[materials_.regions().of(found.element)] * station->front;
 }
 
 /// Whether the point of a part lies in a cut along which the edge goes.
@@ -187,9 +188,9 @@ CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, const Vec3& moved)
   trial.cuts = cutting(station, slip);
   trial.beside = slip - trial.cuts;
   trial.cuts_stiffness = trial.beside_stiffness = station.stiffest;
-  const double most = cutting_force_ * station.front, cuts = trial.cuts.norm(), beside = trial.beside.norm();
-  trial.yields = station.stiffest * cuts > most;
-  if (trial.yields) trial.cuts_stiffness = most / cuts;
+  const double cuts = trial.cuts.norm(), beside = trial.beside.norm();
+  trial.yields = station.stiffest * cuts > station.most;
+  if (trial.yields) trial.cuts_stiffness = station.most / cuts;
   if (station.is_free) trial.cuts_stiffness = 0;
   trial.slides = station.stiffest * beside > station.most_along;
   if (trial.slides) trial.beside_stiffness = station.most_along / beside;

@@ -94,6 +94,19 @@ TEST(CuttingEdge, AdvancesAgainstTheCuttingForceTimesItsLengthInTheTissue) {
   }
 }
 
+TEST(CuttingEdge, ARegionMayTakeAnotherForce) {
+  Scene scene = blockAndEdge();
+  RegionSettings tough;
+  tough.place = {Vec3(0.08, -1, -1), Vec3(0.14, 1, 1)};
+  tough.cutting_force = 2.5 * FORCE;
+  scene.body.regions = {tough};
+  Pushed pushed(scene);
+  pushed.to(0.05, 0.05);
+  EXPECT_NEAR(pushed.report.force.x(), -FORCE * HEIGHT, 0.03 * FORCE * HEIGHT);
+  pushed.to(0.11, 0.05);
+  EXPECT_NEAR(pushed.report.force.x(), -2.5 * FORCE * HEIGHT, 0.03 * FORCE * HEIGHT);
+}
+
 TEST(CuttingEdge, TheWorkIsTheAreaTimesTheFractureEnergy) {
   for (const int cells : CELLS)
     for (const double speed : SPEEDS) {

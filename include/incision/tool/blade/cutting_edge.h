@@ -62,6 +62,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
     Spring tissue;              // the material at the station; count 0: none resists
     Vec3 drift = Vec3::Zero();  // of the edge in the step [m]
     double front = 0;           // what of the blade cuts there [m]
+    double most = 0;            // force that cuts [N]
     double outward = 0;         // of a tip: along the edge, 1, or against it, −1; 0: it is none
     double stiffest = 0;        // the most stiffness it can have [N/m]
     double most_along = 0;      // bound on the friction along the edge [N]
@@ -95,7 +96,8 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   bool isInSlit(const Vec3& point, const Swept& swept, const Near& near, const CutMesh& mesh) const;
   Trial tryAt(const Station& station, const Vec3& moved) const;
 
-  double cutting_force_, friction_;  // [N/m], –
+  std::vector<double> cutting_forces_;  // in each region [N/m]
+  double friction_;
   Edge edge_;
   ToolInStep* tool_;
   const Ties& ties_;
