@@ -15,6 +15,7 @@
 #include "incision/run/run_record.h"
 #include "incision/run/run_summary.h"
 #include "incision/run/snapshot.h"
+#include "incision/run/snapshot_series.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -36,6 +37,9 @@ Runs a scene and ends with one line of JSON on standard output.
   --positions END.txt
                      `x y z` of every mesh node at the end, in mesh order
   --snapshot END.vtu the surface and its stress at the end, for ParaView
+  --volume END.vtu   the parts, likewise, with their displacements and regions
+  --series RUN.pvd   both at the start, after every so many steps, and at the end
+  --every N          how many steps for --series (default 10)
   --help             this text
 
 Ctrl-C ends the run after the current step, outputs included.
@@ -71,7 +75,8 @@ class Progress {
 
 struct Outputs {
   std::optional<RunRecord> record;
-  std::optional<std::ofstream> positions, snapshot;
+  std::optional<SnapshotSeries> series;
+  std::optional<std::ofstream> positions, snapshot, volume;
 };
 
 // Opened before the run, so that hours of it are not lost to a misspelt folder.
@@ -80,6 +85,8 @@ Outputs openOutputs(const BatchOptions& options, const DeformableBody& body) {
   if (!options.record.empty()) outputs.record.emplace(options.record, body);
   if (!options.positions.empty()) outputs.positions = openOutput(options.positions);
   if (!options.snapshot.empty()) outputs.snapshot = openOutput(options.snapshot);
+  if (!options.volume.empty()) outputs.volume = openOutput(options.volume);
+  if (!options.series.empty()) outputs.series.emplace(options.series, options.every);
   return outputs;
 }
 
@@ -95,6 +102,7 @@ void reportCuts(const std::vector<CutResult>& cuts, double time, std::ostream& e
 bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outputs, StepStatistics& statistics,
                std::ostream& err) {
   Progress progress(err, options.steps);
+  if (outputs.series) outputs.series->add(body);
   try {
     while (body.steps() < options.steps && !stop_asked) {
       const double time = body.time();
@@ -103,6 +111,7 @@ bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outpu
       if (!step.cuts.empty()) progress.clear();
       reportCuts(step.cuts, time, err);
       if (outputs.record) outputs.record->write(body, step);
+      if (outputs.series) outputs.series->add(body);
       progress.show(body, step.step_ms);
     }
   } catch (const StepFailed& failure) {
@@ -129,6 +138,14 @@ bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outpu
   if (outputs.snapshot) {
     writeSnapshot(*outputs.snapshot, body);
     check(options.snapshot, static_cast<bool>(outputs.snapshot->flush()));
+  }
+  if (outputs.volume) {
+    writeVolumeSnapshot(*outputs.volume, body);
+    check(options.volume, static_cast<bool>(outputs.volume->flush()));
+  }
+  if (outputs.series) {
+    outputs.series->add(body, true);
+    check(options.series, outputs.series->good());
   }
   return all_written;
 }

@@ -13,11 +13,12 @@ namespace {
 // More would outgrow memory with the times of the steps alone.
 constexpr std::int64_t MAX_STEPS = 10'000'000;
 
-std::int64_t parseSteps(const std::string& text) {
+std::int64_t parseSteps(const char* option, std::int64_t least, const std::string& text) {
   std::int64_t steps = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
-  if (error != std::errc() || end != text.data() + text.size() || steps < 0 || steps > MAX_STEPS) {
-    throw InputError("--steps: '" + printable(text) + "' (allowed: 0 to " + std::to_string(MAX_STEPS) + ")");
+  if (error != std::errc() || end != text.data() + text.size() || steps < least || steps > MAX_STEPS) {
+    throw InputError(option + (": '" + printable(text)) + "' (allowed: " + std::to_string(least) + " to " +
+                     std::to_string(MAX_STEPS) + ")");
   }
   return steps;
 }
@@ -26,12 +27,15 @@ using Taker = std::function<void(const std::string& value)>;
 
 // What each option does with its value.
 std::map<std::string, Taker> optionTakers(BatchOptions& options) {
-  return {{"--steps", [&](const std::string& value) { options.steps = parseSteps(value); }},
+  return {{"--steps", [&](const std::string& value) { options.steps = parseSteps("--steps", 0, value); }},
           {"--set", [&](const std::string& value) { options.overrides.push_back(value); }},
           {"--threads", [&](const std::string& value) { options.overrides.push_back("solver.threads=" + value); }},
           {"--record", [&](const std::string& value) { options.record = value; }},
           {"--positions", [&](const std::string& value) { options.positions = value; }},
-          {"--snapshot", [&](const std::string& value) { options.snapshot = value; }}};
+          {"--snapshot", [&](const std::string& value) { options.snapshot = value; }},
+          {"--volume", [&](const std::string& value) { options.volume = value; }},
+          {"--series", [&](const std::string& value) { options.series = value; }},
+          {"--every", [&](const std::string& value) { options.every = parseSteps("--every", 1, value); }}};
 }
 
 }  // namespace

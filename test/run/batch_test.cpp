@@ -7,6 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -164,11 +166,81 @@ TEST_F(Batch, SnapshotHasAStressForEveryTriangle) {
   EXPECT_EQ(rows.back(), "</VTKFile>");
 }
 
+// The rows of a VTK array.
+std::vector<std::vector<double>> arrayOf(const std::vector<std::string>& lines, const std::string& name) {
+  std::vector<std::vector<double>> rows;
+  auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
+    return text.find("Name=\"" + name + "\"") != std::string::npos;
+  });
+  EXPECT_NE(line, lines.end()) << name;
+  for (++line; *line != "</DataArray>"; ++line) {
+    std::istringstream numbers(*line);
+    rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
+  }
+  return rows;
+}
+
+// Of a cell from its faces, by the divergence theorem: "how many faces, then of each how many points and which".
+double volumeOf(const std::vector<double>& faces, const std::vector<std::vector<double>>& points) {
+  const auto point = [&](std::size_t k) {
+    const auto& p = points[static_cast<std::size_t>(faces[k])];
+    return Vec3(p[0], p[1], p[2]);
+  };
+  double volume = 0;
+  for (std::size_t k = 1; k < faces.size(); k += 1 + static_cast<std::size_t>(faces[k]))
+    for (std::size_t i = k + 2; i < k + static_cast<std::size_t>(faces[k]); ++i)
+      volume += point(k + 1).dot(point(i).cross(point(i + 1))) / 6;
+  return volume;
+}
+
+TEST_F(Batch, TheVolumesCellsFillTheBody) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "3", "--volume", file("end.vtu"), "--set", "gravity=[0,0,0]", "--set",
+                 "cuts.0.normal=[1,0.3,0.2]", "--set", "body.regions=[{box: [[0.5, 0, 0], [1, 1, 1]]}]"}),
+            BatchStatus::DONE)
+      << err_.str();
+  const auto rows = lines("end.vtu");
+  const auto points = arrayOf(rows, "Points"), cells = arrayOf(rows, "connectivity"), faces = arrayOf(rows, "faces"),
+             types = arrayOf(rows, "types"), regions = arrayOf(rows, "region");
+  std::map<int, double> volumes;  // of each region
+  int polyhedra = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& c = cells[i];
+    const bool cut = types[i][0] == 42;
+    ASSERT_EQ(cut, !faces[i].empty());
+    polyhedra += cut;
+    const std::vector<double> of_tetrahedron = {4, 3,    c[1], c[2], c[3], 3,    c[0], c[3], c[2],
+                                                3, c[0], c[1], c[3], 3,    c[0], c[2], c[1]};
+    const double volume = volumeOf(cut ? faces[i] : of_tetrahedron, points);
+    EXPECT_GT(volume, 0);
+    volumes[static_cast<int>(regions[i][0])] += volume;
+  }
+  EXPECT_GT(polyhedra, 4);
+  const Json regions_told = Json::parse(out_.str())["regions"];
+  EXPECT_NEAR(volumes[0], 0.03125, 1e-12);
+  EXPECT_NEAR(volumes[1], 0.03125, 1e-12);
+  EXPECT_NEAR(regions_told["body"], 0.03125, 1e-12);
+  EXPECT_NEAR(regions_told["region_0"], 0.03125, 1e-12);
+  for (const auto& u : arrayOf(rows, "displacement")) EXPECT_LT(std::abs(u[0]) + std::abs(u[1]), 1e-9);
+}
+
+TEST_F(Batch, ASeriesListsTheSnapshotsItHas) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "5", "--series", file("run.pvd"), "--every", "2"}), BatchStatus::DONE);
+  std::vector<std::string> files;
+  for (const std::string& row : lines("run.pvd"))
+    if (const auto at = row.find("file=\""); at != std::string::npos)
+      files.push_back(row.substr(at + 6, row.find('"', at + 6) - at - 6));
+  EXPECT_EQ(files.size(), 8u);  // of steps 0, 2, 4 and 5, surface and volume
+  for (const std::string& name : files) EXPECT_EQ(lines(name).back(), "</VTKFile>") << name;
+  EXPECT_EQ(lines("run.pvd").back(), "</VTKFile>");
+}
+
 TEST_F(Batch, BadInputIsOneLineAndStatusTwo) {
   const std::vector<std::vector<std::string>> bad = {{"--frobnicate"},
                                                      {file("no_such.yaml")},
                                                      {file("bar.yaml"), "--set", "solver.time_step=2"},
                                                      {file("bar.yaml"), "--threads", "many"},
+                                                     {file("bar.yaml"), "--series", file("run.vtu")},
+                                                     {file("bar.yaml"), "--every", "0"},
                                                      {file("bar.yaml"), "--record", file("no/such/folder.csv")},
                                                      {file("bar.yaml"), "--positions", folder_.string()}};
   for (const auto& arguments : bad) {
@@ -187,7 +259,8 @@ TEST_F(Batch, FullDiskIsStatusOneAndStillReports) {
 
 TEST_F(Batch, HelpNamesEveryOption) {
   EXPECT_EQ(run({"--help"}), BatchStatus::DONE);
-  for (const char* option : {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot"}) {
+  for (const char* option :
+       {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot", "--volume", "--series", "--every"}) {
     EXPECT_NE(out_.str().find(option), std::string::npos) << option;
   }
 }
