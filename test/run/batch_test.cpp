@@ -96,13 +96,34 @@ TEST_F(Batch, EndsWithOneLineOfJsonWithEveryKey) {
   const Json line = Json::parse(out_.str());
   std::set<std::string> keys;
   for (const auto& [key, value] : line.items()) keys.insert(key);
-  EXPECT_EQ(keys, (std::set<std::string>{"steps",          "time",           "nodes",           "elements",
-                                         "crack_elements", "parts",          "copies",          "dofs",
-                                         "cracks",         "pieces",         "piece_volumes",   "mass",
-                                         "momentum",       "kinetic_energy", "elastic_energy",  "potential_energy",
-                                         "contact_energy", "solves",         "unsettled_steps", "max_displacement",
-                                         "iterations",     "residual",       "step_ms",         "phase_ms",
-                                         "contacts",       "peak_rss_mb",    "state_hash"}));
+  EXPECT_EQ(keys, (std::set<std::string>{"steps",
+                                         "time",
+                                         "nodes",
+                                         "elements",
+                                         "crack_elements",
+                                         "parts",
+                                         "copies",
+                                         "dofs",
+                                         "cracks",
+                                         "pieces",
+                                         "piece_volumes",
+                                         "mass",
+                                         "momentum",
+                                         "kinetic_energy",
+                                         "elastic_energy",
+                                         "potential_energy",
+                                         "contact_energy",
+                                         "regions",
+                                         "solves",
+                                         "unsettled_steps",
+                                         "max_displacement",
+                                         "iterations",
+                                         "residual",
+                                         "step_ms",
+                                         "phase_ms",
+                                         "contacts",
+                                         "peak_rss_mb",
+                                         "state_hash"}));
   EXPECT_EQ(line["steps"], 3);
   EXPECT_EQ(line["nodes"], 20);
   EXPECT_EQ(line["elements"], 24);
