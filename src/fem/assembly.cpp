@@ -21,12 +21,9 @@ constexpr double ROUNDINGS = 16;
 
 Assembly::Assembly(const CutMesh& mesh, const Materials& materials, Mass mass, Pressure pressure, bool warping,
                    int threads)
-    : mesh_(mesh),
-      materials_(materials),
-      mass_(mass),
-      warping_(warping),
-      threads_(threads),
-      rest_(restElements(mesh.mesh())) {
+    : mesh_(mesh), materials_(materials), mass_(mass), warping_(warping), threads_(threads) {
+  const std::vector<RestElement> rest = restElements(mesh.mesh());
+  for (std::size_t e = 0; e < rest.size(); ++e) elements_.push_back({rest[e], materials.lame(static_cast<int>(e))});
   // Room for cuts, or the first one would move these arrays, the largest but for the matrix.
   const std::size_t expected = mesh.parts().size() + mesh.parts().size() / 4;
   rotations_.reserve(expected);
@@ -91,7 +88,7 @@ void Assembly::sumCorners(int c) {
   for (const Corner& corner : corners_[c]) {
     const int p = corner.part, I = corner.node;
     const auto& [lambda, mu] = lameOf(p);
-    const Gradients b = rest_[mesh_.parts()[p].element].gradients();
+    const Gradients b = elements_[mesh_.parts()[p].element].gradients();
     const double V = volume(p), largest = std::sqrt(b.colwise().squaredNorm().maxCoeff());
     masses_[c] += densityOf(p) * V * mesh_.centroid(p)[I];
     mass_diagonal_[c] += massProduct(p, I, I);
@@ -160,8 +157,8 @@ void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forc
   if (patches_) averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
   parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
     const Mat3& R = rotations_[p];
-    const Mat3 stress = stressOf(p, R.transpose() * gradientOf(p, y));
-    part_forces_[p].noalias() = (volume(p) * R * stress) * rest_[mesh_.parts()[p].element].b;
+    const Mat3 stress = stressOf(p, R.transpose() * gradientOf(p, y), volume(p));
+    part_forces_[p].noalias() = (R * stress) * elements_[mesh_.parts()[p].element].b;
   });
   gather(
       [&](const Corner& corner) -> Vec3 {
@@ -185,12 +182,6 @@ void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& ro
     for (int p : patches_->parts()[a]) gained += volume(p) * dilatations_[p];
     mean_dilatations_[a] = gained / patchVolume(a);
   });
-}
-
-/// σ of a part in its unrotated frame. With averaged pressure it takes the mean dilatation that was found last.
-Mat3 Assembly::stressOf(int part, const Mat3& RtF) const {
-  const Lame& lame = lameOf(part);
-  return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], lame) : corotatedStress(RtF, lame);
 }
 
 void Assembly::multiplyMass(const std::vector<Vec3>& w, std::vector<Vec3>* result) const {
@@ -263,7 +254,7 @@ void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) c
 }
 
 double Assembly::volume(int part) const {
-  return mesh_.parts()[part].fraction * rest_[mesh_.parts()[part].element].volume;
+  return mesh_.parts()[part].fraction * elements_[mesh_.parts()[part].element].volume;
 }
 
 double Assembly::patchVolume(int patch) const {
@@ -273,18 +264,18 @@ double Assembly::patchVolume(int patch) const {
 }
 
 Gradients Assembly::rotatedGradients(int part) const {
-  return rotations_[part] * rest_[mesh_.parts()[part].element].gradients();
+  return rotations_[part] * elements_[mesh_.parts()[part].element].gradients();
 }
 
 double Assembly::massProduct(int part, int I, int J) const {
-  const double element_mass = densityOf(part) * rest_[mesh_.parts()[part].element].volume;
+  const double element_mass = densityOf(part) * elements_[mesh_.parts()[part].element].volume;
   if (mesh_.parts()[part].detail < 0) return element_mass * (I == J ? 2 : 1) / 20;
   return element_mass * mesh_.detail(part).products(I, J);
 }
 
 Mat3 Assembly::gradientOf(int part, const std::vector<Vec3>& y) const {
   const Part& p = mesh_.parts()[part];
-  return gradient(y[p.copies[0]], y[p.copies[1]], y[p.copies[2]], y[p.copies[3]], rest_[p.element]);
+  return gradient(y[p.copies[0]], y[p.copies[1]], y[p.copies[2]], y[p.copies[3]], elements_[p.element]);
 }
 
 }  // namespace incision

@@ -84,15 +84,13 @@ void addProducts(const Assembly& assembly, const BlockPattern& pattern, int row,
   }
 }
 
+/// Makes λ S + μ Sᵀ + μ tr(S) I, scaled, of a block S that has the factor μ in it already.
 template <typename T>
-using Block = Eigen::Matrix<T, 3, 3>;
-
-/// λ S + μ Sᵀ + μ tr(S) I, where S has the factor μ in it already.
-template <typename T>
-Block<T> stiffnessOf(T lame_ratio, const Block<T>& S) {
-  Block<T> stiffness = lame_ratio * S + S.transpose();
-  stiffness.diagonal().array() += S.trace();
-  return stiffness;
+void turnIntoStiffness(T lame_ratio, T scales, T* S) {
+  Eigen::Map<Eigen::Matrix<T, 3, 3>> block(S);
+  const Eigen::Matrix<T, 3, 3> scaled = scales * block;
+  block = lame_ratio * scaled + scaled.transpose();
+  block.diagonal().array() += scaled.trace();
 }
 
 template <typename T>
@@ -112,9 +110,9 @@ void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, in
 
 /// Adds to the blocks of a row what its parts make, of which some have one ratio λ/μ and some another. The sums of each
 /// ratio are those that a row all of one ratio has, so that a block and the one opposite to it stay equal.
-template <typename T, typename Scaled>
+template <typename T, typename Scales>
 void addByRatio(const Assembly& assembly, const BlockPattern& pattern, int row, const std::vector<T>& gradients,
-                const Scaled& scaled, T* blocks) {
+                const Scales& scalesOf, T* blocks) {
   thread_local std::vector<T> sums;
   const Materials& materials = assembly.materials();
   const int count = pattern.row_start[row + 1] - pattern.row_start[row];
@@ -126,8 +124,8 @@ void addByRatio(const Assembly& assembly, const BlockPattern& pattern, int row, 
     sums.assign(static_cast<std::size_t>(BLOCK_SIZE) * count + 1, T(0));  // a column is read as four
     addProducts(assembly, pattern, row, gradients, isOf, sums.data());
     for (int k = 0; k < count; ++k)
-      Eigen::Map<Block<T>>(blocks + BLOCK_SIZE * k) +=
-          stiffnessOf(static_cast<T>(materials.lameRatios()[ratio]), scaled(k, sums.data()));
+      turnIntoStiffness(static_cast<T>(materials.lameRatios()[ratio]), scalesOf(k), &sums[BLOCK_SIZE * k]);
+    for (int i = 0; i < BLOCK_SIZE * count; ++i) blocks[i] += sums[i];
   }
 }
 
@@ -168,22 +166,22 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
   if (averaged) findPatchGradients(assembly, pattern, factors.stiffness, scale);
   static const std::vector<double> NO_PRESSURE = {0};
   const std::vector<double>& ratios = averaged ? NO_PRESSURE : assembly.materials().lameRatios();
+  const T lame_ratio = static_cast<T>(ratios[0]);
+  const bool one_ratio = ratios.size() == 1;
   resizeWithRoom(BLOCK_SIZE * pattern.column.size() + 1, blocks);  // a column is read as four
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     const int begin = pattern.row_start[row], end = pattern.row_start[row + 1];
     T* first = &(*blocks)[static_cast<std::size_t>(BLOCK_SIZE) * begin];
     std::fill_n(first, BLOCK_SIZE * (end - begin), T(0));
-    const auto scaled = [&](int k, const T* sum) -> Block<T> {
-      const T scales = static_cast<T>(scale[row] / least) * static_cast<T>(scale[pattern.column[begin + k]] / least);
-      return scales * Eigen::Map<const Block<T>>(sum + BLOCK_SIZE * k);
+    const auto scalesOf = [&](int k) {
+      return static_cast<T>(scale[row] / least) * static_cast<T>(scale[pattern.column[begin + k]] / least);
     };
-    if (ratios.size() == 1) {
+    if (one_ratio) {
       addProducts(
           assembly, pattern, row, gradients_, [](int) { return true; }, first);
-      for (int k = 0; k < end - begin; ++k)
-        Eigen::Map<Block<T>>(first + BLOCK_SIZE * k) = stiffnessOf(static_cast<T>(ratios[0]), scaled(k, first));
+      for (int k = 0; k < end - begin; ++k) turnIntoStiffness(lame_ratio, scalesOf(k), first + BLOCK_SIZE * k);
     } else {
-      addByRatio(assembly, pattern, row, gradients_, scaled, first);
+      addByRatio(assembly, pattern, row, gradients_, scalesOf, first);
     }
     if (averaged) addPatches(assembly, pattern, row, patch_gradients_, first);
     if (assembly.consistentMass()) return addConsistentMass(assembly, pattern, row, scale, factors.mass, first);
@@ -198,7 +196,7 @@ void BlockAssembler<T>::findGradients(const Assembly& assembly, double stiffness
   const int parts = static_cast<int>(assembly.mesh().parts().size());
   resizeWithRoom(12 * static_cast<std::size_t>(parts) + 1, &gradients_);  // a column is read as four
   parallelFor(parts, assembly.threads(), [&](int p) {
-    const double mu = assembly.materials().lame(assembly.mesh().parts()[p].element).mu;
+    const double mu = assembly.lameOf(p).mu;
     const double root = least * std::sqrt(stiffness * assembly.volume(p) * mu);
     Eigen::Map<Eigen::Matrix<T, 3, 4>> g(&gradients_[12 * static_cast<std::size_t>(p)]);
     g = (root * assembly.rotatedGradients(p)).template cast<T>();

@@ -73,7 +73,9 @@ class Assembly {
   /// averaged pressure that of K is what it would be without, which is more.
   const std::vector<double>& massDiagonal() const { return consistentMass() ? mass_diagonal_ : masses_; }
   const std::vector<double>& stiffnessDiagonal() const { return stiffness_diagonal_; }
-  double volume(int part) const;                     ///< V_p [m³]
+  double volume(int part) const;  ///< V_p [m³]
+  /// λ and μ [Pa] of a part's element.
+  const Lame& lameOf(int part) const { return elements_[mesh_.parts()[part].element].lame; }
   double patchVolume(int patch) const;               ///< Σ V_p over the parts of a patch [m³]
   Gradients rotatedGradients(int part) const;        ///< g_I = R_p b_I [1/m]
   double massProduct(int part, int I, int J) const;  ///< ρ ∫_p N_I N_J dX [kg]
@@ -82,15 +84,25 @@ class Assembly {
   const Lists<Corner>& corners() const { return corners_; }
 
  private:
+  /// All of an element that its forces take.
+  struct TissueElement : RestElement {
+    Lame lame;
+  };
+
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
   template <typename Function>
   void turnAll(const std::vector<Vec3>& x, const Function& f) const;
   template <typename Rotation>
   void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
-  Mat3 stressOf(int part, const Mat3& RtF) const;
+  /// σ of a part in its unrotated frame, times `scale`. With averaged pressure it takes the mean dilatation that was
+  /// found last.
+  Mat3 stressOf(int part, const Mat3& RtF, double scale = 1) const {
+    const Lame& of = lameOf(part);
+    const Lame lame = {scale * of.lambda, scale * of.mu};
+    return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], lame) : corotatedStress(RtF, lame);
+  }
   double densityOf(int part) const { return materials_.of(mesh_.parts()[part].element).density; }
-  const Lame& lameOf(int part) const { return materials_.lame(mesh_.parts()[part].element); }
   template <typename Function>
   void gather(const Function& atCorner, std::vector<Vec3>* result) const;
   void findCorners(const std::vector<char>& touched);
@@ -102,7 +114,7 @@ class Assembly {
   bool warping_;
   int threads_;
   std::optional<Patches> patches_;
-  std::vector<RestElement> rest_;
+  std::vector<TissueElement> elements_;
   std::vector<Mat3> rotations_;
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
   Lists<Corner> corners_;
