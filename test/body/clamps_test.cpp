@@ -125,7 +125,7 @@ TEST_P(HeldByOneFrame, ABodyEndsExactlyTurned) {
   right.place = Place(Vec3(1 - 1e-6, -1, -1), Vec3(2, 1, 1));
   scene.boundary = {posedLeftEnd(), right};
   DeformableBody body(scene, loadMesh(scene));
-  for (int k = 0; k <= 900; ++k) {
+  for (int k = 0; k <= 1200; ++k) {
     for (int clamp : {0, 1}) body.moveClamp(clamp, turningFrame(std::min(1.0, 0.01 * k)));
     body.step();
   }
