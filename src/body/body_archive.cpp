@@ -7,10 +7,11 @@
 
 namespace incision {
 /// What bytes and body must have alike for one to be read by the other.
-std::array<std::int64_t, 6> DeformableBody::State::outline() const {
+std::array<std::int64_t, 7> DeformableBody::State::outline() const {
   return {static_cast<std::int64_t>(mesh.mesh().nodes.size()),
           static_cast<std::int64_t>(mesh.mesh().elements.size()),
           static_cast<std::int64_t>(obstacles.links.size()),
+          static_cast<std::int64_t>(scene.boundary.size()),
           static_cast<std::int64_t>(own_couplers.size()),
           static_cast<std::int64_t>(tools.size()),
           growth.has_value()};

@@ -55,6 +55,7 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
       surface(mesh),
       obstacles(obstaclesOf(s, descriptions)),
       obstacle_motions(obstacles),
+      clamp_motions(scene.boundary),
       skin(surface, materials, s.solver.threads),
       door(&mesh, &motion, &step, &last_steps, &growth, &couplers, &surface) {
   if (scene.fracture) growth.emplace(*scene.fracture);
@@ -75,7 +76,8 @@ void DeformableBody::State::makeCouplers() {
   std::vector<Coupler*> list;
   if (scene.contact) {
     own_couplers.push_back(std::make_unique<BodyContact>(*scene.contact, obstacles, obstacle_motions.inStep(), &skin));
-    contacts.push_back(static_cast<Contact*>(own_couplers.back().get()));
+    body_contact = static_cast<BodyContact*>(own_couplers.back().get());
+    contacts.push_back(body_contact);
   }
   if (takesEnergy(scene)) {
     own_couplers.push_back(std::make_unique<Cohesion>(*scene.fracture, materials));
@@ -118,8 +120,15 @@ void DeformableBody::State::recallStep(const StepMemory& memory) {
 }
 
 BodyMemory DeformableBody::State::keep() const {
-  BodyMemory memory{steps, unsettled_steps,           cuts_done, fractured_steps, mesh.keep(),
-                    {},    obstacle_motions.inStep(), keepStep()};
+  BodyMemory memory{steps,
+                    unsettled_steps,
+                    cuts_done,
+                    fractured_steps,
+                    mesh.keep(),
+                    {},
+                    obstacle_motions.inStep(),
+                    clamp_motions.keep(),
+                    keepStep()};
   if (growth) memory.growth = growth->memory();
   return memory;
 }
@@ -130,12 +139,14 @@ void DeformableBody::State::recall(const BodyMemory& memory) {
   cuts_done = memory.cuts_done;
   fractured_steps = memory.fractured_steps;
   obstacle_motions.recall(memory.obstacles);
+  clamp_motions.recall(memory.clamps);
   mesh.recall(memory.mesh);
   motion = memory.step.motion;
   if (growth) growth->recall(*memory.growth);
   door.meshReplaced();
   recallStep(memory.step);
   reports = Reports();
+  if (wants_wrenches) wrenches = noWrenches();
 }
 
 }  // namespace incision

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "body_door.h"
+#include "clamp_motions.h"
 #include "incision/body/deformable_body.h"
 #include "incision/contact/body_contact.h"
 #include "incision/fracture/cohesion.h"
@@ -46,13 +47,14 @@ struct BodyMemory {
   CutMesh::Memory mesh;
   std::optional<CrackGrowth::Memory> growth;
   std::vector<RigidMotion> obstacles;
+  std::vector<ClampMotion> clamps;
   StepMemory step;
 };
 
 template <class Archive>
 void serialize(Archive& archive, BodyMemory& memory) {
-  auto& [steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, step] = memory;
-  archive(steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, step);
+  auto& [steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, clamps, step] = memory;
+  archive(steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, clamps, step);
 }
 
 /// What a body is made of. Commands change the mesh, steps the motion.
@@ -75,6 +77,10 @@ struct DeformableBody::State {
   bool advance(const StepSpan& span, double time, StepDemand demand);
   bool advanceFreely(double time, double time_step);
   void endTools();
+  void placeClamp(int clamp, const Pose& pose);
+  void feel(const StepSpan& span, bool coupled);
+  BodyWrenches noWrenches() const;
+  void tellWrenches();
   void fillResult(StepResult* result);
 
   // The memory.
@@ -84,7 +90,7 @@ struct DeformableBody::State {
   void recall(const BodyMemory& memory);
   void write(const BodyMemory& memory, ArchiveWriter* archive) const;
   BodyMemory read(ArchiveReader* archive) const;
-  std::array<std::int64_t, 6> outline() const;
+  std::array<std::int64_t, 7> outline() const;
 
   std::vector<int> pieceOf(int* pieces) const;
   int pieces() const;
@@ -103,10 +109,12 @@ struct DeformableBody::State {
   CurrentSurface surface;
   Obstacles obstacles;
   ObstacleMotions obstacle_motions;
+  ClampMotions clamp_motions;
   ContactSkin skin;
   std::optional<CrackGrowth> growth;  // where the scene lets the body break
   std::vector<std::unique_ptr<Tool>> tools;
   std::vector<std::unique_ptr<Coupler>> own_couplers;  // those that are not a tool's
+  BodyContact* body_contact = nullptr;                 // where the scene has contact
   Cohesion* cohesion = nullptr;                        // where opening a crack takes energy
   std::vector<const Contact*> contacts;                // all of them, for the report
   Couplers couplers;
@@ -116,6 +124,9 @@ struct DeformableBody::State {
   double couplers_ms = 0;  // to find what may act in it
   StepTimes times;
   SolveStats solved;
+  // What the body does to clamps and obstacles, where it is wanted: in the step so far, and in the one taken last.
+  bool wants_wrenches = false;
+  BodyWrenches felt, wrenches;
   BodyMemory at_start;
 };
 

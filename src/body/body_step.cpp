@@ -41,6 +41,7 @@ bool DeformableBody::State::advance() {
 bool DeformableBody::State::advance(const StepSpan& span, double time, StepDemand demand) {
   if (!span.isWhole()) last_steps.forget();
   const auto beginning = Clock::now();
+  if (clamp_motions.any()) step.setClampEnds(clamp_motions.at(span.to));
   const bool coupled =
       !couplers.areNone() && couplers.begin({span, mesh, step.pieceOf(), motion, step.begin(span.time_step, motion),
                                              step.inertia(), step.pieceMass()});
@@ -53,6 +54,7 @@ bool DeformableBody::State::advance(const StepSpan& span, double time, StepDeman
     return false;
   }
   if (coupled || !span.isWhole()) last_steps.forget();
+  if (wants_wrenches) feel(span, coupled);
   if (coupled) couplers.accept(step.moved(), motion, step.felt());
   return true;
 }

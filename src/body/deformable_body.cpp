@@ -58,6 +58,8 @@ StepResult DeformableBody::step() {
 
   const double dt = s.scene.solver.time_step, t = s.time();
   for (const auto& tool : s.tools) tool->startStep(t, dt, s.motion.x);
+  s.clamp_motions.startStep(t, dt);
+  if (s.wants_wrenches) s.felt = s.noWrenches();
   s.times = StepTimes();
   s.couplers_ms = 0;
   s.solved = SolveStats();
@@ -68,7 +70,9 @@ StepResult DeformableBody::step() {
   ++s.steps;
   if (!s.solved.settled) ++s.unsettled_steps;
   if (s.growth) s.growth->stepTaken();
+  if (s.wants_wrenches) s.tellWrenches();
   s.obstacle_motions.endStep();
+  s.clamp_motions.endStep();
   const auto cutting = Clock::now();
   s.endTools();
   if (!s.tools.empty()) result.phase_ms.cut += 1e3 * secondsSince(cutting);
@@ -124,6 +128,18 @@ const Obstacles& DeformableBody::obstacles() const { return state_->obstacles; }
 void DeformableBody::moveObstacle(int link, const Pose& pose) { state_->obstacle_motions.move(link, pose); }
 
 void DeformableBody::placeObstacle(int link, const Pose& pose) { state_->obstacle_motions.place(link, pose); }
+
+void DeformableBody::moveClamp(int clamp, const Pose& pose) { state_->clamp_motions.move(clamp, pose); }
+
+void DeformableBody::placeClamp(int clamp, const Pose& pose) { state_->placeClamp(clamp, pose); }
+
+void DeformableBody::wantWrenches(bool wanted) {
+  state_->wants_wrenches = wanted;
+  state_->step.wantClampWrenches(wanted);
+  state_->wrenches = wanted ? state_->noWrenches() : BodyWrenches();
+}
+
+const BodyWrenches& DeformableBody::wrenches() const { return state_->wrenches; }
 
 void DeformableBody::reset() { state_->recall(state_->at_start); }
 

@@ -29,4 +29,20 @@ std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult&
           count("unsettled_steps", body.unsettledSteps())};
 }
 
+std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body) {
+  std::vector<Quantity> quantities;
+  const auto add = [&](const std::string& name, const Wrench& wrench) {
+    quantities.push_back({name + "_force", wrench.force});
+    quantities.push_back({name + "_torque", wrench.torque});
+  };
+  const auto addEach = [&](const std::string& name, const std::vector<Wrench>& wrenches) {
+    for (std::size_t i = 0; i < wrenches.size(); ++i) add(name + std::to_string(i), wrenches[i]);
+  };
+  const BodyWrenches& wrenches = body.wrenches();
+  addEach("clamp_", wrenches.clamps);
+  if (body.scene().contact && body.scene().contact->ground) add("ground", wrenches.ground);
+  addEach("obstacle_", wrenches.obstacles);
+  return quantities;
+}
+
 }  // namespace incision

@@ -4,8 +4,17 @@
 
 namespace incision {
 
+bool operator==(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
 Pose composed(const Pose& outer, const Pose& inner) {
   return {outer.position + outer.orientation * inner.position, (outer.orientation * inner.orientation).normalized()};
+}
+
+Pose inverse(const Pose& pose) {
+  const Eigen::Quaterniond back = pose.orientation.conjugate();
+  return {-(back * pose.position), back};
 }
 
 Pose between(const Pose& a, const Pose& b, double s) {

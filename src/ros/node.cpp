@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "incision/body/remarks.h"
 #include "incision/ros/conversions.h"
 #include "incision/ros/tf_frames.h"
 
@@ -51,9 +52,11 @@ IncisionNode::IncisionNode()
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, agenda_, reporter_, wakeup_),
-      obstacles_(LinkLookup(input_.frames(), warnOfLinks("the obstacles")), body_.obstacles(),
+      obstacles_(LinkLookup(input_.frames(), warnOfLinks("the obstacles")), linksOf(body_.obstacles()),
                  settings_.scene.solver.time_step),
+      clamps_(input_.frames(), warnOfLinks("the clamps"), settings_.scene.boundary, settings_.scene.solver.time_step),
       spinner_(1) {
+  for (const std::string& remark : remarksOn(body_.scene(), body_.mesh())) ROS_WARN_STREAM(remark);
   for (std::size_t i = 0; i < settings_.tools.size(); ++i)
     tools_.emplace_back(node_, i, settings_.tools[i], *body_.toolEdge(i), input_.frames(),
                         settings_.scene.solver.time_step);
@@ -136,6 +139,21 @@ void IncisionNode::moveObstacles(const StepTime& time) {
   }
 }
 
+/// Before a step: the clamps' frames go where tf has them at its end.
+void IncisionNode::moveClamps(const StepTime& time) {
+  for (const LinkMove& move : clamps_.follow(time.single ? 0 : time.start, time.end)) {
+    if (move.jump_speed)
+      ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "frame \"" << settings_.scene.boundary[move.link].frame
+                                                          << "\" of a clamp jumped, at " << *move.jump_speed
+                                                          << " m/s (followed: up to " << MAX_OBSTACLE_SPEED
+                                                          << " m/s): the clamp is put there at once");
+    if (move.at_once)
+      body_.placeClamp(move.link, move.pose);
+    else
+      body_.moveClamp(move.link, move.pose);
+  }
+}
+
 void IncisionNode::step() {
   const bool taken = tryStep();
   if (taken) {
@@ -150,6 +168,7 @@ bool IncisionNode::tryStep() {
     const StepTime time = stepTime();
     leadTools(time);
     moveObstacles(time);
+    moveClamps(time);
     last_step_ = body_.step();
     for (ToolDriver& tool : tools_) tool.publishWrench(last_step_);
     if (!last_step_.settled)
@@ -191,6 +210,7 @@ void IncisionNode::reset() {
     if (const auto stroke = tool.restart(&body_)) reporter_.report(*stroke);
   body_.reset();
   obstacles_.restart();
+  clamps_.restart();
   last_step_ = StepResult();
   error_.clear();
   reporter_.setPieces(body_.counts().pieces);
@@ -214,7 +234,7 @@ void IncisionNode::publishState() {
   reporter_.fillState(state);
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();
-  state.ignored_transforms = obstacles_.ignored();
+  state.ignored_transforms = obstacles_.ignored() + clamps_.ignored();
   for (const ToolDriver& tool : tools_) tool.addTo(last_step_, &state);
   state_.publish(state);
 }

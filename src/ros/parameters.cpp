@@ -16,7 +16,11 @@ Scene loadSceneParameter(const ros::NodeHandle& node) {
   XmlRpc::XmlRpcValue value;
   if (!node.getParam("scene", value))
     throw InputError(name + ": this parameter is missing; load a scene file there, as incision.launch does");
-  return parseScene(toYaml(value, name), name, "");
+  Scene scene = parseScene(toYaml(value, name), name, "");
+  loadPoses(&scene);
+  for (Clamp& clamp : scene.boundary)
+    if (!clamp.frame.empty()) clamp.poses.clear();  // tf has them
+  return scene;
 }
 
 }  // namespace

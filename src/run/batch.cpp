@@ -11,6 +11,7 @@
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
 #include "incision/body/deformable_body.h"
+#include "incision/body/remarks.h"
 #include "incision/run/output_file.h"
 #include "incision/run/run_record.h"
 #include "incision/run/run_summary.h"
@@ -153,6 +154,9 @@ bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outpu
 BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& err) {
   const Scene scene = loadScene(options.scene, options.overrides);
   DeformableBody body(scene, loadMesh(scene), {loadDescription(scene), loadObstacleDescription(scene)});
+  for (const std::string& remark : remarksOn(body.scene(), body.mesh()))
+    err << "incision_batch: warning: " << remark << std::endl;
+  body.wantWrenches(!options.record.empty());
   Outputs outputs = openOutputs(options, body);
   StepStatistics statistics;
   const bool stepped = takeSteps(options, body, outputs, statistics, err);

@@ -22,17 +22,23 @@ void forEachColumn(const std::vector<Quantity>& quantities, const Function& f) {
   }
 }
 
+std::vector<Quantity> recorded(const DeformableBody& body, const StepResult& step) {
+  std::vector<Quantity> quantities = quantitiesOf(body, step);
+  for (const Quantity& wrench : wrenchQuantitiesOf(body)) quantities.push_back(wrench);
+  return quantities;
+}
+
 }  // namespace
 
 RunRecord::RunRecord(const std::string& path, const DeformableBody& body) : file_(openOutput(path)) {
   file_ << "step,time,";
-  forEachColumn(quantitiesOf(body, StepResult()), [&](const std::string& column, auto) { file_ << column << ','; });
+  forEachColumn(recorded(body, StepResult()), [&](const std::string& column, auto) { file_ << column << ','; });
   file_ << "step_ms\n" << std::flush;
 }
 
 void RunRecord::write(const DeformableBody& body, const StepResult& step) {
   file_ << body.steps() << ',' << body.time() << ',';
-  forEachColumn(quantitiesOf(body, step), [&](const std::string&, auto value) { file_ << value << ','; });
+  forEachColumn(recorded(body, step), [&](const std::string&, auto value) { file_ << value << ','; });
   file_ << step.step_ms << '\n' << std::flush;
 }
 

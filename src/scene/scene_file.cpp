@@ -62,6 +62,12 @@ void applyOverride(const YAML::Node& root, const std::string& override_text) {
 
 }  // namespace
 
+void loadPoses(Scene* scene) {
+  for (Clamp& clamp : scene->boundary)
+    if (!clamp.poses_file.empty()) clamp.poses = readPoses(clamp.poses_file);
+  if (scene->tool && !scene->tool->poses_file.empty()) scene->tool->poses = readPoses(scene->tool->poses_file);
+}
+
 Scene loadScene(const std::string& path, const std::vector<std::string>& overrides) {
   const std::string name = printable(path);
   const YAML::Node root = parseYaml(readText(path), name);
@@ -71,7 +77,9 @@ Scene loadScene(const std::string& path, const std::vector<std::string>& overrid
   } catch (const YAML::Exception& error) {
     throw InputError(name + ": " + error.what());
   }
-  return parseScene(root, name, std::filesystem::absolute(path).parent_path().string());
+  Scene scene = parseScene(root, name, std::filesystem::absolute(path).parent_path().string());
+  loadPoses(&scene);
+  return scene;
 }
 
 TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs) {

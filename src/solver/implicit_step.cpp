@@ -41,7 +41,8 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Materials& materials, Mass
       make_solver_(std::move(make_solver)),
       assembly_(mesh, materials, mass, pressure, warping, settings.threads),
       solver_(make_solver_(settings, warping)),
-      held_nodes_(heldNodes(mesh.mesh(), conditions.clamps)) {}
+      held_nodes_(heldNodes(mesh.mesh(), conditions.clamps)),
+      loads_(mesh, conditions.loads) {}
 
 void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>& touched) {
   assembly_.topologyChanged(motion.x, touched);
@@ -49,7 +50,7 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
   piece_ = mesh_.copyPieces(&pieces_);
   memory_.group = piece_;
   held_ = heldCopies(mesh_, conditions_.clamps, held_nodes_);
-  load_forces_ = loadForces(mesh_, conditions_.loads);
+  loads_.topologyChanged();
   rigid_.topologyChanged(piece_, pieces_, held_, assembly_.warping());
   norms_known_ = false;
   for (std::vector<Vec3>& differences : memory_.basis)
@@ -189,6 +190,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
   }
   rotated_ = false;
   remember();
+  if (wants_clamp_wrenches_) findClampWrenches(couplers != nullptr, *motion);
   if (couplers) {
     findWrenches(*couplers, *motion);
     rigid_.finish(base_, dv_, motion);
@@ -223,16 +225,39 @@ void ImplicitStep::giveUp() {
 bool ImplicitStep::solve(double time, const Motion& motion, Couplers* couplers) {
   start_x_ = &motion.x;
   given_.clear();
-  externalImpulses(time + time_step_);
+  end_ = time + time_step_;
+  externalImpulses();
   dv_.resize(ahead_.size());
-  for (std::size_t c = 0; c < dv_.size(); ++c)
-    if (held_[c] >= 0) dv_[c] = conditions_.clamps[held_[c]].velocity - base_.v[c] - base_.u[c];
+  for (int c = 0; c < mesh_.numCopies(); ++c)
+    if (held_[c] >= 0) dv_[c] = heldVelocity(c) - base_.v[c] - base_.u[c];
   double reach = 0;
   for (const Vec3& x : base_.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
   const double tolerance = settings_.method == Method::DIRECT ? ATTAINABLE : settings_.tolerance;
   return newton_.solve({this, couplers, time_step_, tolerance, ahead_, external_, time_step_ * reach, memory_.basis,
                         piece_, held_, memory_.group, rigid_, base_.x},
                        &norms_, &dv_);
+}
+
+/// With this a held copy ends where its clamp does.
+Vec3 ImplicitStep::heldVelocity(int copy) const {
+  const auto clamp = static_cast<std::size_t>(held_[copy]);
+  if (clamp_ends_.empty() || !clamp_ends_[clamp]) return conditions_.clamps[clamp].velocity;
+  const Pose& end = *clamp_ends_[clamp];
+  const Vec3& rest = mesh_.mesh().nodes[mesh_.copyNode(copy)];
+  return (end.position + end.orientation * rest - base_.x[copy]) / time_step_;
+}
+
+/// What the equation leaves at a held copy is what its clamp takes up.
+void ImplicitStep::findClampWrenches(bool coupled, const Motion& start) {
+  clamp_wrenches_.assign(conditions_.clamps.size(), Wrench());
+  for (int c = 0; c < mesh_.numCopies(); ++c) {
+    if (held_[c] < 0) continue;
+    Vec3 left = newton_.residual()[c];
+    if (coupled) left += newton_.impulsesOnCopies()[c];
+    Wrench& wrench = clamp_wrenches_[static_cast<std::size_t>(held_[c])];
+    wrench.force += left / time_step_;
+    wrench.torque += start.x[c].cross(left / time_step_);
+  }
 }
 
 /// What the springs did to the other ends. Their levers are where their points are when the step starts: by them an
@@ -349,6 +374,7 @@ bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
   if (turnsTooFar()) return false;
   findAhead(*start_x_);
   rotate(base_.x);
+  if (loads_.anyPresses()) externalImpulses();
   return true;
 }
 
@@ -363,15 +389,11 @@ bool ImplicitStep::fallBack(const std::vector<Spring>& springs) {
   return matrix_known_;
 }
 
-/// Δt times M g and the tractions, as they stand at the end of the step.
-void ImplicitStep::externalImpulses(double time) {
+/// Δt times M g and the loads, as they stand at the end of the step on a body that is at x̂.
+void ImplicitStep::externalImpulses() {
   external_.resize(mesh_.numCopies());
   for (int c = 0; c < mesh_.numCopies(); ++c) external_[c] = assembly_.masses()[c] * conditions_.gravity;
-  for (std::size_t l = 0; l < load_forces_.size(); ++l) {
-    const double ramp = conditions_.loads[l].ramp;
-    const double share = ramp > 0 ? std::min(1.0, time / ramp) : 1;
-    for (int c = 0; c < mesh_.numCopies(); ++c) external_[c] += share * load_forces_[l][c];
-  }
+  loads_.addTo(end_, base_.x, &external_);
   for (Vec3& impulse : external_) impulse *= time_step_;
 }
 

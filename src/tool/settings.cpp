@@ -5,7 +5,7 @@
 namespace incision {
 
 ToolSettings parseTool(const YamlValue& value) {
-  const YamlMap map = value.map({"description", "link", "edge", "poses", "frame", "max_step", "timeout",
+  const YamlMap map = value.map({"description", "link", "edge", "poses", "poses_file", "frame", "max_step", "timeout",
                                  "cutting_force", "friction", "progressive"});
   ToolSettings tool;
   if (!map.has("edge") && !map.has("description")) value.fail("needs an edge, or a description that has one");
@@ -18,7 +18,7 @@ ToolSettings parseTool(const YamlValue& value) {
   } else {
     tool.link = map.at("link").text(MAX_NAME);
   }
-  if (const auto poses = map.find("poses")) tool.poses = parsePoses(*poses);
+  parsePosesOf(map, &tool.poses, &tool.poses_file);
   if (const auto frame = map.find("frame")) tool.frame = frame->frame();
   tool.max_step = map.numberOrInfinity("max_step", tool.max_step, POSITIVE);
   tool.timeout = map.numberOrInfinity("timeout", tool.timeout, POSITIVE);

@@ -80,12 +80,7 @@ std::optional<Pose> Tool::scriptedPose(double at) const {
   const std::vector<TimedPose>& poses = settings_.poses;
   if (poses.empty() || at < poses.front().time - DUE_TOLERANCE || at > poses.back().time + DUE_TOLERANCE)
     return std::nullopt;
-  const auto after =
-      std::lower_bound(poses.begin(), poses.end(), at, [](const TimedPose& pose, double t) { return pose.time < t; });
-  if (after == poses.begin()) return poses.front().pose;
-  if (after == poses.end()) return poses.back().pose;
-  const auto previous = after - 1;
-  return between(previous->pose, after->pose, (at - previous->time) / (after->time - previous->time));
+  return poseAt(poses, at);
 }
 
 }  // namespace incision

@@ -10,6 +10,7 @@
 #include "support/contacts.h"
 #include "support/failing_solver.h"
 #include "support/sanitized.h"
+#include "support/turning.h"
 
 namespace incision::test {
 namespace {
@@ -75,6 +76,21 @@ Case rubbingBlock(Method method) {
   return made;
 }
 
+/// The bar held by a hand that moves and turns it, and by another that a scene leads.
+Case ledBar() {
+  Case made = cutBar([](Scene* scene) {
+    scene->boundary[0].frame = "hand";
+    Clamp right;
+    right.place = Place(Vec3(1 - 1e-6, -1, -1), Vec3(2, 1, 1));
+    for (const double t : {0.05, 0.2, 0.3}) right.poses.push_back({t, turningFrame(t)});
+    scene->boundary.push_back(right);
+  });
+  made.command = [](DeformableBody* body, std::int64_t step) {
+    if (step >= 2) body->moveClamp(0, turningFrame(0.01 * static_cast<double>(step)));
+  };
+  return made;
+}
+
 /// A blade that is guided from step to step, some steps ahead, off for a while.
 Case guidedBlade() {
   Case made{plateAndBlade()};
@@ -119,6 +135,7 @@ const std::map<std::string, std::function<Case()>> CASES = {
     {"BlockDirect", [] { return rubbingBlock(Method::DIRECT); }},
     {"BlockIterative", [] { return rubbingBlock(Method::ITERATIVE); }},
     {"BladeGuided", guidedBlade},
+    {"BarLed", ledBar},
 };
 
 class SavedBody : public ::testing::TestWithParam<std::pair<const std::string, std::function<Case()>>> {};

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "incision/fem/assembly.h"
-#include "incision/fem/boundary.h"
+#include "incision/fem/loads.h"
 #include "support/closed_surface.h"
 #include "support/cut_laws.h"
 #include "support/deformed_mesh.h"

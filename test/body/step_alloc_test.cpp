@@ -61,6 +61,13 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
   Scene averaged = barWith(Method::ITERATIVE, SMALL);
   averaged.body.pressure = Pressure::AVERAGED;
   EXPECT_EQ(allocationsOfUncutSteps(averaged), 0);
+  Scene posed = barWith(Method::ITERATIVE, SMALL);
+  posed.boundary[0].poses = {{0, Pose()}, {1, {Vec3(0, 0, 0.1), Eigen::Quaterniond(0.8, 0.6, 0, 0)}}};
+  Load pressure;
+  pressure.place = Place(Vec3(1 - 1e-6, -1, -1), Vec3(2, 1, 1));
+  pressure.pressure = 100;
+  posed.loads = {pressure};
+  EXPECT_EQ(allocationsOfUncutSteps(posed), 0);
   Scene with_tool = barWith(Method::ITERATIVE, SMALL);
   with_tool.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)}};
   with_tool.tool->poses = {{0, {Vec3(0, 0, 50), Eigen::Quaterniond::Identity()}}};

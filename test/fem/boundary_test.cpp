@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "incision/fem/loads.h"
 #include "support/rig.h"
 
 namespace incision {

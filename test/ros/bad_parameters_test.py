@@ -35,6 +35,12 @@ class BadParameters(unittest.TestCase):
         self.assertEqual(1, status, errors)
         self.assertIn('/bad/scene: this parameter is missing', errors)
 
+    def test_a_group_that_the_mesh_has_not_ends_the_node(self):
+        scene = {'body': {'mesh': 'package://incision/test/ros/rib.msh'}, 'boundary': [{'group': 'rob'}]}
+        status, errors = run_to_its_end(NODE, {'scene': scene})
+        self.assertEqual(1, status, errors)
+        self.assertIn("/bad/scene: boundary.0.group: 'rob', did you mean rib?", errors)
+
 
 if __name__ == '__main__':
     rospy.init_node('bad_parameters_test')

@@ -160,6 +160,50 @@ TEST_F(Batch, RecordHasOneRowAStep) {
   EXPECT_EQ(rows[4].substr(0, 2), "4,");
 }
 
+TEST_F(Batch, RecordTellsWhatClampsAndObstaclesBear) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "2", "--set", "contact.ground=-1", "--record", file("run.csv")}),
+            BatchStatus::DONE)
+      << err_.str();
+  const auto cells = [&](const std::string& line) {
+    std::vector<std::string> all;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
+    return all;
+  };
+  const std::vector<std::string> rows = lines("run.csv"), names = cells(rows[0]);
+  for (const char* name : {"clamp_0_force_x", "clamp_0_torque_z", "ground_force_z"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  const auto at = std::find(names.begin(), names.end(), "clamp_0_force_z") - names.begin();
+  ASSERT_LT(static_cast<std::size_t>(at), names.size());
+  EXPECT_LT(std::stod(cells(rows[1])[static_cast<std::size_t>(at)]), -1);  // [N]: a part of the weight, 613 N
+}
+
+TEST_F(Batch, WhatIsHardlyMeantSoIsWarnedOf) {
+  run({file("bar.yaml"), "--steps", "0"});
+  EXPECT_EQ(err_.str(), "");
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "0", "--set", "boundary.0.box=[[8, 8, 8], [9, 9, 9]]"}),
+            BatchStatus::DONE);
+  EXPECT_EQ(err_.str(), "incision_batch: warning: " + file("bar.yaml") +
+                            ": boundary.0: box [[8, 8, 8], [9, 9, 9]] has no node of the mesh: it holds nothing\n"
+                            "incision_batch: warning: nothing holds the body, neither a clamp nor contact: it falls\n");
+}
+
+TEST_F(Batch, ClampsFollowThePosesOfAFile) {
+  std::ofstream(file("poses.csv")) << "t,x,y,z,qx,qy,qz,qw\n0,5,0,0,0,0,0,1\n1,5,0,0.5,0,0,0,1\n";
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "4", "--set", "cuts=[]", "--set", "boundary.0.poses_file=poses.csv",
+                 "--positions", file("end.txt")}),
+            BatchStatus::DONE)
+      << err_.str();
+  std::istringstream first(lines("end.txt")[0]);
+  double x = 1, y = 1, z = 0;
+  first >> x >> y >> z;
+  EXPECT_NEAR(x, 0, 1e-12);
+  EXPECT_NEAR(y, 0, 1e-12);
+  EXPECT_NEAR(z, 4 * 0.01 * 0.5, 1e-12);
+  EXPECT_EQ(run({file("bar.yaml"), "--set", "boundary.0.poses_file=none.csv"}), BatchStatus::BAD_INPUT);
+  EXPECT_NE(err_.str().find("none.csv: cannot be opened"), std::string::npos) << err_.str();
+}
+
 TEST_F(Batch, PositionsHaveOneLineANode) {
   ASSERT_EQ(run({file("bar.yaml"), "--steps", "4", "--positions", file("end.txt")}), BatchStatus::DONE) << err_.str();
   const std::vector<std::string> rows = lines("end.txt");

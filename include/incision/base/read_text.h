@@ -9,7 +9,7 @@ namespace incision {
 /// their parsers take memory and stack in proportion.
 inline constexpr std::size_t MAX_TEXT = std::size_t{1} << 20;
 
-/// The whole of a text file. Throws InputError when it cannot be read or is larger than MAX_TEXT.
-std::string readText(const std::string& path);
+/// The whole of a text file. Throws InputError when it cannot be read or is larger than `max_bytes`.
+std::string readText(const std::string& path, std::size_t max_bytes = MAX_TEXT);
 
 }  // namespace incision

@@ -14,6 +14,7 @@
 #include "incision/cut/cut_result.h"
 #include "incision/fem/regions.h"
 #include "incision/fracture/growth.h"
+#include "incision/rigid/wrench.h"
 #include "incision/scene/scene.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/surface/surface.h"
@@ -57,6 +58,14 @@ struct StepResult {
   bool settled = true;             ///< one more would hardly have changed a force
   double step_ms = 0;              ///< wall time of the whole step
   PhaseTimes phase_ms;
+};
+
+/// What a body does to what holds it, in the axes of the body's frame.
+struct BodyWrenches {
+  std::vector<Wrench> clamps;  ///< of each entry of `boundary`, about its frame's origin when the step started; about
+                               ///< the origin of the body's frame where it has none or nothing is known of it
+  std::vector<Wrench> obstacles;  ///< of each link of the obstacles, about the link's origin when the step started
+  Wrench ground;                  ///< about the origin of the body's frame
 };
 
 /// A step could not be taken, nor two of half its length. The state is the one before it.
@@ -113,6 +122,19 @@ class DeformableBody {
   const Obstacles& obstacles() const;
   void moveObstacle(int link, const Pose& pose);
   void placeObstacle(int link, const Pose& pose);
+
+  /// Clamps, by their index in the scene's `boundary`. The frame of one moves evenly to `pose` in the body's frame
+  /// during the next step, and stays there; or it is put there at once, and the nodes with it. The first pose since the
+  /// construction or a reset only tells where the frame is: the nodes then go rigidly with it. Throws std::out_of_range
+  /// for a clamp that there is not, or that has neither frame nor poses.
+  void moveClamp(int clamp, const Pose& pose);
+  void placeClamp(int clamp, const Pose& pose);
+
+  /// Whether steps also find what the body does to clamps and obstacles; at first they do not.
+  void wantWrenches(bool wanted);
+  /// Of the step taken last: the mean over it, of just the impulses with which its equations balance. Zero where none
+  /// has been taken since they were wanted, or since a reset.
+  const BodyWrenches& wrenches() const;
 
   /// Back to the state after construction: no cuts, and those of the scene are still to come.
   void reset();

@@ -20,4 +20,8 @@ struct Quantity {
 /// take their numbers. A new number is an entry here, and for the state a field of that name.
 std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult& last_step);
 
+/// What the body does to each clamp, to the ground and to each link of the obstacles, where these wrenches are wanted:
+/// `clamp_0_force`, `clamp_0_torque`, …, `ground_force`, `obstacle_0_force`, …. For the record alone.
+std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body);
+
 }  // namespace incision

@@ -17,6 +17,11 @@ class BodyContact : public Contact {
 
   void changed(const CutMesh& /*mesh*/) override { fragments_.surfaceChanged(); }
 
+  /// Adds what the springs did to the ground and to each obstacle's link by these impulses [N s] on the body in the
+  /// step that has been taken, as the mean over `time` [s]: about the origin of the body's frame, by these levers [m].
+  void addWrenches(Span<const Vec3> impulses, Span<const Vec3> levers, double time, Wrench* ground,
+                   std::vector<Wrench>* links) const;
+
  protected:
   void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
             std::vector<Candidate>* candidates) override;

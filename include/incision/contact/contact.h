@@ -38,6 +38,9 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   virtual void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
                     std::vector<Candidate>* candidates) = 0;
 
+  /// Of the step, in the order of their springs.
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+
  private:
   /// A candidate's state at a trial.
   struct Trial {

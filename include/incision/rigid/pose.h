@@ -16,6 +16,9 @@ struct Pose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1
 };
 
+/// Whether they are the same numbers.
+bool operator==(const Pose& a, const Pose& b);
+
 template <class Archive>
 void serialize(Archive& archive, Pose& pose) {
   auto& [position, orientation] = pose;
@@ -27,6 +30,9 @@ using Edge = std::array<Vec3, 2>;
 
 /// The pose in the outer frame of what stands at `inner` in a frame that stands at `outer`.
 Pose composed(const Pose& outer, const Pose& inner);
+
+/// The pose of the outer frame in a frame that stands at `pose` in it.
+Pose inverse(const Pose& pose);
 
 /// The pose a share `s`, from 0 to 1, of the even way from `a` to `b`.
 Pose between(const Pose& a, const Pose& b, double s);

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "incision/pace/obstacle_tracker.h"
+#include "incision/pace/clamp_tracker.h"
+#include "incision/pace/link_tracker.h"
 #include "incision/pace/pacer.h"
 #include "incision/pace/real_time_factor.h"
 #include "incision/pace/stepping_tasks.h"
@@ -46,6 +47,7 @@ class IncisionNode {
   StepTime stepTime() const;
   void leadTools(const StepTime& time);
   void moveObstacles(const StepTime& time);
+  void moveClamps(const StepTime& time);
   bool stepDue();
   void step();
   bool tryStep();
@@ -73,7 +75,8 @@ class IncisionNode {
   ros::Subscriber clock_;
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;
-  ObstacleTracker obstacles_;
+  LinkTracker obstacles_;
+  ClampTracker clamps_;
   std::vector<ToolDriver> tools_;
   ros::AsyncSpinner spinner_;
 };

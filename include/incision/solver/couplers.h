@@ -39,6 +39,11 @@ class Couplers {
   /// The step that has begun has failed.
   void stepFailed();
 
+  /// Of values of all springs, those of the i-th coupler.
+  Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {
+    return {values.data() + first_[i], values.data() + first_[i + 1]};
+  }
+
   /// Joins the pieces that couplers tie together: they are numbered anew, in the order in which they were. `piece` is
   /// that of each copy. Returns how many pieces there are.
   int joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piece) const;
@@ -49,10 +54,6 @@ class Couplers {
   std::vector<std::any> read(ArchiveReader* archive) const;
 
  private:
-  Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {
-    return {values.data() + first_[i], values.data() + first_[i + 1]};
-  }
-
   std::vector<Coupler*> list_;
   std::vector<char> takes_part_;    // in this step, of each coupler
   std::vector<std::size_t> first_;  // spring of each coupler; then how many there are

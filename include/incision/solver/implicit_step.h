@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "incision/fem/boundary.h"
+#include "incision/fem/loads.h"
 #include "incision/solver/couplers.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/solver/newton.h"
@@ -77,6 +79,9 @@ class ImplicitStep : private StepEquations {
   /// A step of second order starts, as RigidPieces says: one of 2/3 `time_step`; with the rotations ahead too.
   void beginSecondOrder(double time_step, const Motion& now, const Motion& before);
 
+  /// For each clamp, where its nodes are at the end of the next step: at D X. Without D they move with its velocity.
+  void setClampEnds(const std::vector<std::optional<Pose>>& ends) { clamp_ends_ = ends; }
+
   /// Takes the rotations at these positions [m] instead, in the step that has begun.
   void rotate(const std::vector<Vec3>& x);
 
@@ -93,6 +98,14 @@ class ImplicitStep : private StepEquations {
   /// What the body did to the other end of each coupler in the last step, by just the impulses that changed the body's
   /// momentum.
   const std::vector<Wrench>& felt() const { return felt_; }
+  /// What each spring did to the body in the last step [N s], and the lever by which it did so [m].
+  const std::vector<Vec3>& impulses() const { return newton_.impulses(); }
+  const std::vector<Vec3>& levers() const { return levers_; }
+  /// What the body did to each clamp in the last step: the force at its held copies is what the step's equation leaves
+  /// there, springs included, and the torque is about the origin of the body's frame, by levers as those of springs.
+  /// Found only where it is wanted, as at first it is not.
+  void wantClampWrenches(bool wanted) { wants_clamp_wrenches_ = wanted; }
+  const std::vector<Wrench>& clampWrenches() const { return clamp_wrenches_; }
   /// The clamp of each copy, or −1: it is free.
   const std::vector<int>& held() const { return held_; }
   /// The piece of each copy, and how many there are.
@@ -113,7 +126,9 @@ class ImplicitStep : private StepEquations {
   void findAhead(const std::vector<Vec3>& start);
   void findInertia();
   void rotateAhead(const Motion& motion);
-  void externalImpulses(double time);
+  void externalImpulses();
+  Vec3 heldVelocity(int copy) const;
+  void findClampWrenches(bool coupled, const Motion& start);
   void prepareMatrix(bool joined);
   void prepare(LinearSolver* solver, bool new_system, bool joined);
   bool solve(double time, const Motion& motion, Couplers* couplers);
@@ -144,9 +159,10 @@ class ImplicitStep : private StepEquations {
   RigidPieces rigid_;
   PieceNorms norms_;
   Newton newton_;
-  std::vector<int> held_nodes_, held_;          // hold of each node and copy, or −1
-  std::vector<std::vector<Vec3>> load_forces_;  // of each load, by copy [N]
-  std::vector<int> touched_;                    // since solver_ last looked
+  std::vector<int> held_nodes_, held_;  // hold of each node and copy, or −1
+  Loads loads_;
+  std::vector<std::optional<Pose>> clamp_ends_;  // of each clamp in the next step; empty: none has an end
+  std::vector<int> touched_;                     // since solver_ last looked
   bool topology_known_ = false, matrix_known_ = false, norms_known_ = false;
   double matrix_time_step_ = 0, norms_time_step_ = 0;
   bool had_springs_ = false;         // the matrix that the solver knows has springs in it
@@ -155,6 +171,7 @@ class ImplicitStep : private StepEquations {
   std::vector<int> group_at_start_;  // likewise; empty: they are as they were
   // Of this step:
   double time_step_ = 0;
+  double end_ = 0;  // time when it ends [s]
   StepDemand demand_ = StepDemand::ANY;
   StepBase base_;
   bool matrix_ready_ = false, rotated_ = false;
@@ -162,7 +179,8 @@ class ImplicitStep : private StepEquations {
   std::vector<Vec3> off_;    // momentum of each piece [N s]
   std::vector<Vec3> given_;  // momentum that the base has got from couplers, by copy [N s]; empty: none
   std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, levers_;
-  std::vector<Wrench> felt_;
+  std::vector<Wrench> felt_, clamp_wrenches_;
+  bool wants_clamp_wrenches_ = false;
   StepTimes times_;
 };
 

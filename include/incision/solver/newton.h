@@ -35,7 +35,8 @@ class StepEquations {
  public:
   virtual ~StepEquations() = default;
 
-  /// The right-hand side less A Δv at every copy [N s], without springs; at held copies it has no meaning.
+  /// The right-hand side less A Δv at every copy [N s], without springs; at held copies what their clamps
+  /// take up.
   virtual void residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) = 0;
 
   /// Takes over the springs that act, into the matrix and into the groups of pieces between which they do. Returns
@@ -90,6 +91,9 @@ class Newton {
   /// Of each spring, what it has done to the body [N s], and how far its point has gone [m].
   const std::vector<Vec3>& impulses() const { return impulses_; }
   const std::vector<Vec3>& moved() const { return moved_; }
+  /// What the equations without springs leave at each copy where Δv has its value in the end [N s]. At free copies
+  /// whose momentum has been balanced since it is that before.
+  const std::vector<Vec3>& residual() const { return alone_; }
   /// What all springs have done to each copy [N s].
   const std::vector<Vec3>& impulsesOnCopies() const { return on_copies_; }
 

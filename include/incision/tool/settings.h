@@ -21,10 +21,11 @@ struct ToolSettings {
   double max_step = 0.1;
   /// A pose older than this by time of receipt [s] is stale, and the tool stays where it is: some poses of any stream.
   double timeout = 0.5;
-  double cutting_force =
-      0;  ///< [N/m] of edge in the tissue: the fracture energy [J/m²] of what it cuts; regions may differ
-  double friction = 0.3;    ///< Coulomb's coefficient, of the edge along itself and of the link's shapes
-  bool progressive = true;  ///< an element's crack opens as the blade sweeps it; false: elements are cut whole
+  /// [N/m] of edge in the tissue: the fracture energy [J/m²] of what it cuts; regions may differ.
+  double cutting_force = 0;
+  double friction = 0.3;        ///< Coulomb's coefficient, of the edge along itself and of the link's shapes
+  bool progressive = true;      ///< an element's crack opens as the blade sweeps it; false: elements are cut whole
+  std::string poses_file = {};  ///< file of the poses, where it is still to be read
 };
 
 /// The section `tool`. Throws InputError.

@@ -1,5 +1,6 @@
 #include "report/locking/nodal.h"
 
+#include "incision/fem/loads.h"
 #include "incision/solver/sparse_cholesky.h"
 #include "report/locking/specimen.h"
 

@@ -1,4 +1,4 @@
-#include "incision/pace/obstacle_tracker.h"
+#include "incision/pace/link_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Obstacles twoLinks() {
   return obstacles;
 }
 
-struct ObstacleTrackerTest : testing::Test {
+struct LinkTrackerTest : testing::Test {
   void publish(const std::string& link, Nanoseconds time, double x, double turn = 0) {
     frames.set(link, time, {Vec3(x, 0, 0), Eigen::Quaterniond(Eigen::AngleAxisd(turn, Vec3::UnitZ()))});
   }
@@ -38,18 +38,18 @@ struct ObstacleTrackerTest : testing::Test {
 
   FramesInTests frames;
   std::vector<std::string> complaints;
-  ObstacleTracker tracker{
+  LinkTracker tracker{
       LinkLookup(frames, [this](const std::string& link, const std::string&) { complaints.push_back(link); }),
-      twoLinks(), TIME_STEP};
+      linksOf(twoLinks()), TIME_STEP};
 };
 
-TEST_F(ObstacleTrackerTest, LinksOfWhichNobodyHasHeardStayAsDescribed) {
+TEST_F(LinkTrackerTest, LinksOfWhichNobodyHasHeardStayAsDescribed) {
   EXPECT_TRUE(tracker.follow(0).empty());
   EXPECT_EQ(1, armAt());
   EXPECT_EQ(0u, tracker.ignored());
 }
 
-TEST_F(ObstacleTrackerTest, TheFirstPosePutsALinkAndSweepsNothing) {
+TEST_F(LinkTrackerTest, TheFirstPosePutsALinkAndSweepsNothing) {
   publish("arm", 10000 * MS, 1.01);
   const std::vector<LinkMove> moves = tracker.follow(0);
   ASSERT_EQ(1u, moves.size());
@@ -59,21 +59,21 @@ TEST_F(ObstacleTrackerTest, TheFirstPosePutsALinkAndSweepsNothing) {
   EXPECT_EQ(2, tracker.poses()[1].position.x());
 }
 
-TEST_F(ObstacleTrackerTest, AFirstPoseAtTheDescribedPlaceMovesNothing) {
+TEST_F(LinkTrackerTest, AFirstPoseAtTheDescribedPlaceMovesNothing) {
   publish("arm", 10000 * MS, 1);
   EXPECT_TRUE(tracker.follow(0).empty());
   publish("arm", 10010 * MS, 1.01);
   EXPECT_FALSE(tracker.follow(0).at(0).at_once);
 }
 
-TEST_F(ObstacleTrackerTest, WhatStandsStillIsNotMoved) {
+TEST_F(LinkTrackerTest, WhatStandsStillIsNotMoved) {
   publish("arm", 10000 * MS, 1.01);
   tracker.follow(0);
   publish("arm", 11000 * MS, 1.01);
   EXPECT_TRUE(tracker.follow(0).empty());
 }
 
-TEST_F(ObstacleTrackerTest, AStepFollowsThePosesAtItsEnd) {
+TEST_F(LinkTrackerTest, AStepFollowsThePosesAtItsEnd) {
   for (int k = 0; k < 50; ++k) publish("arm", 10 * SECOND + k * 10 * MS, 1.5 + 0.01 * k);
   for (int k = 0; k < 50; ++k) {
     const std::vector<LinkMove> moves = tracker.follow(10 * SECOND + k * 10 * MS);
@@ -83,13 +83,13 @@ TEST_F(ObstacleTrackerTest, AStepFollowsThePosesAtItsEnd) {
   }
 }
 
-TEST_F(ObstacleTrackerTest, WhereTheEndIsNotKnownYetTheLatestIsFollowed) {
+TEST_F(LinkTrackerTest, WhereTheEndIsNotKnownYetTheLatestIsFollowed) {
   publish("arm", 10000 * MS, 1.01);
   EXPECT_EQ(1u, tracker.follow(12 * SECOND).size());
   EXPECT_EQ(1.01, armAt());
 }
 
-TEST_F(ObstacleTrackerTest, PosesMoreSeldomThanStepsAreFollowedEvenly) {
+TEST_F(LinkTrackerTest, PosesMoreSeldomThanStepsAreFollowedEvenly) {
   publish("arm", 10000 * MS, 1.01);
   tracker.follow(0);
   publish("arm", 10050 * MS, 1.06);
@@ -102,7 +102,7 @@ TEST_F(ObstacleTrackerTest, PosesMoreSeldomThanStepsAreFollowedEvenly) {
   EXPECT_TRUE(tracker.follow(0).empty());
 }
 
-TEST_F(ObstacleTrackerTest, AfterAPauseOfThePublisherALinkIsNotFollowedLate) {
+TEST_F(LinkTrackerTest, AfterAPauseOfThePublisherALinkIsNotFollowedLate) {
   publish("arm", 10000 * MS, 1.01);
   tracker.follow(0);
   publish("arm", 15000 * MS, 1.06);
@@ -110,7 +110,7 @@ TEST_F(ObstacleTrackerTest, AfterAPauseOfThePublisherALinkIsNotFollowedLate) {
   EXPECT_NEAR(1.06, armAt(), ROUNDING);
 }
 
-TEST_F(ObstacleTrackerTest, AJumpSweepsNothing) {
+TEST_F(LinkTrackerTest, AJumpSweepsNothing) {
   publish("arm", 10000 * MS, 1.01);
   tracker.follow(0);
   for (const auto& [time, x, turn] : {std::tuple(10'010 * MS, 1.2, 0.0), std::tuple(10'020 * MS, 1.2, 1.0)}) {
@@ -125,7 +125,7 @@ TEST_F(ObstacleTrackerTest, AJumpSweepsNothing) {
   EXPECT_FALSE(tracker.follow(0).at(0).at_once);
 }
 
-TEST_F(ObstacleTrackerTest, ALinkWithoutAWayToTheBodyStaysAndIsCounted) {
+TEST_F(LinkTrackerTest, ALinkWithoutAWayToTheBodyStaysAndIsCounted) {
   frames.mention("arm");
   EXPECT_TRUE(tracker.follow(0).empty());
   EXPECT_EQ(1, armAt());
@@ -133,7 +133,7 @@ TEST_F(ObstacleTrackerTest, ALinkWithoutAWayToTheBodyStaysAndIsCounted) {
   EXPECT_EQ(std::vector<std::string>{"arm"}, complaints);
 }
 
-TEST_F(ObstacleTrackerTest, APoseOutOfRangeChangesNothingAndIsCounted) {
+TEST_F(LinkTrackerTest, APoseOutOfRangeChangesNothingAndIsCounted) {
   publish("arm", 10'000 * MS, 1.01);
   tracker.follow(0);
   publish("arm", 10'010 * MS, 1e10);
@@ -144,7 +144,7 @@ TEST_F(ObstacleTrackerTest, APoseOutOfRangeChangesNothingAndIsCounted) {
   EXPECT_EQ(2u, tracker.ignored());
 }
 
-TEST_F(ObstacleTrackerTest, ARestartPutsLinksWhereTheyWereSeen) {
+TEST_F(LinkTrackerTest, ARestartPutsLinksWhereTheyWereSeen) {
   publish("arm", 10000 * MS, 1.01);
   tracker.follow(0);
   tracker.restart();

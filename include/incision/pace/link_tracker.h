@@ -22,32 +22,43 @@ struct LinkMove {
   std::optional<double> jump_speed = {};  ///< [m/s] at which it would have moved there, where that is too fast
 };
 
-/// Follows the obstacles' links, by the frames of their names. A link of which nothing is known stays where it is. Used
-/// by the stepping thread, which it never makes wait.
-class ObstacleTracker {
+/// A link to be followed.
+struct FollowedLink {
+  std::string name;                ///< also that of its frame
+  std::optional<Pose> start = {};  ///< where it is until it is heard of, if that is known
+  double reach = 0;                ///< [m] of what belongs to it from its origin
+};
+
+/// The obstacles' links, which are where the description has them until they are heard of.
+std::vector<FollowedLink> linksOf(const Obstacles& obstacles);
+
+/// Follows links by the frames of their names. One of which nothing is known stays where it is. Used by the stepping
+/// thread, which it never makes wait.
+class LinkTracker {
  public:
   /// `time_step` [s].
-  ObstacleTracker(LinkLookup lookup, const Obstacles& obstacles, double time_step);
+  LinkTracker(LinkLookup lookup, const std::vector<FollowedLink>& links, double time_step);
 
   /// The links that go somewhere in the next step: to where they are at `end`, the ROS time at which the step ends;
   /// where that is not known yet, or `end` is 0, to where they were at last.
   std::vector<LinkMove> follow(Nanoseconds end);
 
-  /// Each link is where the description has it, until it is heard of again.
+  /// Each link is where it started, until it is heard of again.
   void restart();
 
-  /// Where the links are, or are going in the step asked for last.
+  /// Where the links are, or are going in the step asked for last; the identity where that is not known.
   const std::vector<Pose>& poses() const { return poses_; }
+
+  /// Stamp of the newest pose of a link; none before the first.
+  std::optional<Nanoseconds> stampOf(std::size_t link) const;
 
   /// How often, so far, a link stayed where it was because what is known of it was of no use.
   std::uint64_t ignored() const { return lookup_.ignored(); }
 
  private:
   struct Link {
-    std::string name;
-    Pose described;
-    double reach = 0;  ///< [m] of its shapes from its origin
-    Pose target;
+    FollowedLink followed;
+    std::optional<Pose> target;
     Nanoseconds stamp = 0;  ///< of the target
     Approach approach;      ///< to the target
     bool found = false;     ///< since the start

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "incision/cut/cut_mesh.h"
+#include "incision/scene/scene.h"
+
+namespace incision {
+
+/// What a user should be told of a scene that can be run but is hardly meant so, a line each: clamps and loads that lie
+/// where the body has nothing, and a body that nothing holds. `mesh` is the body's.
+std::vector<std::string> remarksOn(const Scene& scene, const CutMesh& mesh);
+
+}  // namespace incision

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "incision/fem/boundary_settings.h"
+#include "incision/pace/link_tracker.h"
+
+namespace incision {
+
+/// A clamp whose frame's newest transform is older than this [s] is said to hold still: some poses of any stream.
+inline constexpr double CLAMP_TIMEOUT = 0.5;
+
+/// Follows the frames of clamps. A clamp of whose frame nothing is known, or nothing new, stays where it is; that is
+/// said. Used by the stepping thread, which it never makes wait.
+class ClampTracker {
+ public:
+  /// `complain` is told of each step in which a clamp's frame is of no use. `time_step` [s].
+  ClampTracker(const Frames& frames, LinkLookup::Complain complain, const std::vector<Clamp>& clamps, double time_step);
+
+  /// Where frames go in the next step, as LinkTracker says; `link` is the clamp's index. `now` is a time by which
+  /// transforms grow old; 0: none passes.
+  std::vector<LinkMove> follow(Nanoseconds now, Nanoseconds end);
+
+  /// Nothing is known of any frame, until it is heard of again.
+  void restart();
+
+  /// How often, so far, a clamp stayed where it was because what is known of its frame was of no use.
+  std::uint64_t ignored() const { return tracker_.ignored(); }
+
+ private:
+  struct Followed {
+    int clamp;
+    std::string frame;
+    std::optional<Nanoseconds> stamp = {};  // of the newest transform
+    Nanoseconds since = 0;                  // when it was new
+  };
+  void checkAge(Nanoseconds now, std::size_t i);
+
+  std::string body_frame_;
+  LinkLookup::Complain complain_;
+  std::vector<Followed> followed_;
+  LinkTracker tracker_;
+};
+
+}  // namespace incision

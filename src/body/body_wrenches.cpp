@@ -1,0 +1,43 @@
+// What a body does to what holds it, for those who ask.
+#include "body_state.h"
+
+namespace incision {
+
+BodyWrenches DeformableBody::State::noWrenches() const {
+  BodyWrenches none;
+  none.clamps.resize(scene.boundary.size());
+  none.obstacles.resize(obstacles.links.size());
+  return none;
+}
+
+/// Adds what a part of the step has done, by its share of the whole, about the origin of the body's frame.
+void DeformableBody::State::feel(const StepSpan& span, bool coupled) {
+  const double share = span.to - span.from, whole_step = scene.solver.time_step;
+  for (std::size_t i = 0; i < felt.clamps.size(); ++i) felt.clamps[i] += share * step.clampWrenches()[i];
+  if (!coupled || !body_contact) return;
+  const std::size_t first = 0;  // where makeCouplers() lists it
+  body_contact->addWrenches(couplers.ofCoupler(first, step.impulses()), couplers.ofCoupler(first, step.levers()),
+                            whole_step, &felt.ground, &felt.obstacles);
+}
+
+/// The step has been taken, but nothing has gone to where it ends yet.
+void DeformableBody::State::tellWrenches() {
+  wrenches = felt;
+  for (std::size_t i = 0; i < wrenches.clamps.size(); ++i)
+    wrenches.clamps[i] = about(clamp_motions.startOf(i).position, wrenches.clamps[i]);
+  for (std::size_t i = 0; i < wrenches.obstacles.size(); ++i)
+    wrenches.obstacles[i] = about(obstacle_motions.inStep()[i].from.position, wrenches.obstacles[i]);
+}
+
+/// Its held copies go there at once, without a velocity that the way would give them.
+void DeformableBody::State::placeClamp(int clamp, const Pose& pose) {
+  const Pose end = clamp_motions.place(static_cast<std::size_t>(clamp), pose);
+  for (int c = 0; c < mesh.numCopies(); ++c) {
+    if (step.held()[c] != clamp) continue;
+    motion.x[c] = end.position + end.orientation * mesh.mesh().nodes[mesh.copyNode(c)];
+    motion.v[c].setZero();
+  }
+  last_steps.forget();
+}
+
+}  // namespace incision
