@@ -20,6 +20,6 @@ function(incision_fuzzer name least)
   set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT 300)
 endfunction()
 
-incision_fuzzer(mesh_reader 700)
+incision_fuzzer(mesh_reader 1500)
 incision_fuzzer(scene 1400)
 incision_fuzzer(urdf 900)

@@ -15,8 +15,6 @@ namespace incision {
 
 namespace {
 
-constexpr std::size_t MAX_PATH = 4096;  // bytes, as Linux has it
-
 std::string describe(const Range& range) {
   const Range all;
   std::ostringstream words;
@@ -150,6 +148,24 @@ YamlMap YamlValue::map(const std::vector<std::string>& allowed_keys) const {
     if (!entries.emplace(name, value).second) value.fail("given twice (allowed: once)");
   }
   return {*this, std::move(entries)};
+}
+
+std::map<std::string, YamlValue> YamlValue::named(std::size_t max_count) const {
+  const std::string allowed = "a map of 1 to " + std::to_string(max_count) + " names";
+  if (!node_.IsMap() || node_.size() == 0 || node_.size() > max_count) refuse(allowed);
+  std::map<std::string, YamlValue> entries;
+  for (const auto& entry : node_) {
+    const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+    if (name.empty() || name.size() > MAX_NAME || !plain) {
+      fail("the name '" + printable(name) + "' (allowed: 1 to " + std::to_string(MAX_NAME) + " letters, digits, _, -)");
+    }
+    const YamlValue value(entry.second, source_, folder_, (key_.empty() ? "" : key_ + ".") + name);
+    if (!entries.emplace(name, value).second) value.fail("given twice (allowed: once)");
+  }
+  return entries;
 }
 
 YamlMap::YamlMap(const YamlValue& whole, std::map<std::string, YamlValue> entries)

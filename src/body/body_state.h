@@ -99,6 +99,8 @@ struct DeformableBody::State {
   Scene scene;
   std::vector<ScheduledCut> cuts;  // of the scene, by time
   CutMesh mesh;
+  const RestBox bounds;  // of the mesh
+  const int held_nodes;
   Materials materials;
   ImplicitStep step;
   BackwardDifference last_steps;  // for steps of second order

@@ -159,10 +159,13 @@ std::vector<Vec3> DeformableBody::nodePositions() const {
   return positions;
 }
 
+const RestBox& DeformableBody::bounds() const { return state_->bounds; }
+
 BodyCounts DeformableBody::counts() const {
   const CutMesh& mesh = state_->mesh;
   BodyCounts counts;
   counts.nodes = static_cast<int>(mesh.mesh().nodes.size());
+  counts.held_nodes = state_->held_nodes;
   counts.elements = static_cast<int>(mesh.mesh().elements.size());
   counts.parts = static_cast<int>(mesh.parts().size());
   for (int e = 0; e < counts.elements; ++e) counts.crack_elements += mesh.parts()[e].next >= 0;

@@ -1,5 +1,8 @@
 #include "incision/body/quantities.h"
 
+#include <iomanip>
+#include <sstream>
+
 namespace incision {
 
 std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult& last_step) {
@@ -9,6 +12,7 @@ std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult&
     return Quantity{name, value, in_record};
   };
   return {count("nodes", counts.nodes, false),
+          count("held_nodes", counts.held_nodes, false),
           count("elements", counts.elements, false),
           count("crack_elements", counts.crack_elements),
           count("parts", counts.parts),
@@ -43,6 +47,17 @@ std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body) {
   if (body.scene().contact && body.scene().contact->ground) add("ground", wrenches.ground);
   addEach("obstacle_", wrenches.obstacles);
   return quantities;
+}
+
+std::string describe(const DeformableBody& body) {
+  const BodyCounts counts = body.counts();
+  const auto& [low, high] = body.bounds();
+  std::ostringstream line;
+  line << std::setprecision(4) << "a body of " << counts.elements << " elements in frame \"" << body.scene().body.frame
+       << "\", from (" << low.x() << ", " << low.y() << ", " << low.z() << ") to (" << high.x() << ", " << high.y()
+       << ", " << high.z() << ") m, of " << body.motion().mass << " kg, " << counts.held_nodes << " of its "
+       << counts.nodes << " nodes held";
+  return line.str();
 }
 
 }  // namespace incision

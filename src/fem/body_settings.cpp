@@ -5,10 +5,13 @@
 namespace incision {
 
 BodySettings parseBody(const YamlValue& value) {
-  const YamlMap map = value.map({"mesh", "grid", "frame", "material", "regions", "pressure", "warping", "mass"});
-  if (map.has("mesh") == map.has("grid")) value.fail("needs a mesh or a grid (allowed: one of the two)");
+  const YamlMap map =
+      value.map({"mesh", "scale", "meshes", "grid", "frame", "material", "regions", "pressure", "warping", "mass"});
+  if (map.has("mesh") + map.has("meshes") + map.has("grid") != 1) {
+    value.fail("needs a mesh, meshes or a grid (allowed: one of the three)");
+  }
   BodySettings body;
-  if (const auto mesh = map.find("mesh")) body.mesh = mesh->path();
+  body.meshes = parsePlacedMeshes(map);
   if (const auto grid = map.find("grid")) body.grid = parseGrid(*grid);
   if (const auto frame = map.find("frame")) body.frame = frame->frame();
   if (const auto material = map.find("material")) body.material = parseMaterial(*material);

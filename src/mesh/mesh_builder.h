@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
+#include "gmsh_elements.h"
+#include "group_builder.h"
 #include "incision/base/line_reader.h"
 #include "incision/mesh/mesh_io.h"
 #include "incision/mesh/tet_mesh.h"
@@ -13,7 +16,7 @@
 namespace incision {
 
 /// Puts together a mesh from the nodes and elements of a file, in its order, and checks each against what a mesh must
-/// be. Errors name the reader's current line, or that of the element in question.
+/// be. Errors name the reader's current line, or that of the element in question, and numbers of the file.
 class MeshBuilder {
  public:
   explicit MeshBuilder(const LineReader& reader) : reader_(reader) {}
@@ -23,29 +26,46 @@ class MeshBuilder {
   void reserveElements(int count);
 
   /// A node by its number in the file. Numbers need not be dense nor in order; positions may coincide.
-  void addNode(std::int64_t tag, const Vec3& position);
+  void addNode(std::int64_t number, const Vec3& position);
 
-  /// A tetrahedron by its number in the file and those of its nodes. Turned when its volume is negative.
-  void addTetrahedron(std::int64_t tag, const std::array<std::int64_t, 4>& node_tags);
+  /// The name of a physical group.
+  void nameGroup(int dimension, int number, const std::string& name);
 
-  /// An element that is no four-node tetrahedron.
-  void skipElement(std::int64_t tag);
+  /// A tetrahedron of first or second order by its number in the file, those of its nodes, and those of its physical
+  /// groups. Turned when its volume is negative. Numbers of elements may be equal.
+  void addTetrahedron(std::int64_t number, const std::vector<std::int64_t>& nodes, const std::vector<int>& groups);
+
+  /// A point, line or surface of this kind in physical groups.
+  void addToGroups(const GmshElement& kind, std::int64_t number, const std::vector<std::int64_t>& nodes,
+                   const std::vector<int>& groups);
+
+  /// A point, line or surface, in a group or in none.
+  void skipElement() { ++repairs_.skipped_elements; }
+
+  /// An element with a volume, but no tetrahedron.
+  void addOtherVolume(const GmshElement& kind);
 
   /// The mesh, once it is seen to hang together.
   TetMesh finish(MeshRepairs& repairs);
 
  private:
-  void claimElementTag(std::int64_t tag);
-  void checkDuplicates() const;
+  const std::vector<int>& findNodes(std::int64_t element, const std::vector<std::int64_t>& nodes);
+  void checkVolumes() const;
+  void mergeRepeated();
   void checkTopology() const;
+  std::string called(int element) const;
   int countUnreferencedNodes() const;
 
   const LineReader& reader_;
   TetMesh mesh_;
+  GroupBuilder groups_;
   MeshRepairs repairs_;
-  std::unordered_map<std::int64_t, int> node_of_tag_;
-  std::unordered_set<std::int64_t> element_tags_;
-  std::vector<int> lines_;  // of each tetrahedron
+  std::unordered_map<std::int64_t, int> node_of_number_;
+  std::vector<std::int64_t> node_numbers_, element_numbers_;  // of each node and tetrahedron in the file
+  std::vector<int> lines_;                                    // of each tetrahedron
+  std::map<std::string, int> other_volumes_;                  // how many there are of each shape
+  int other_volume_line_ = 0;                                 // of the first
+  std::vector<int> found_;                                    // by findNodes()
 };
 
 }  // namespace incision

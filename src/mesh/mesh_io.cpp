@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "foreign_file.h"
 #include "gmsh_reader.h"
 #include "incision/base/input_error.h"
 #include "incision/base/line_reader.h"
@@ -37,8 +38,29 @@ std::string readAll(std::istream& in, const std::string& name) {
 
 }  // namespace
 
+std::vector<std::string> sentences(const MeshRepairs& repairs) {
+  std::vector<std::string> all;
+  const auto say = [&](int count, const std::string& what, const std::string& hint = "") {
+    if (count > 0) all.push_back(what + ": " + std::to_string(count) + hint);
+  };
+  say(repairs.reoriented, "elements of negative volume, of which two nodes were swapped");
+  say(repairs.second_order_elements, "elements of ten nodes, of which the four corners are used");
+  say(repairs.repeated_elements,
+      "elements that repeat others, as a file has one for each of its physical groups, and so count as one in all of "
+      "them");
+  say(repairs.unreferenced_nodes, "nodes that are the corner of no tetrahedron, and are left out, of groups too");
+  say(repairs.coincident_nodes, "nodes that lie at one place with a node of a part that is not joined to theirs",
+      ", the first of them node " + std::to_string(repairs.coincident_pair[1]) + ", at node " +
+          std::to_string(repairs.coincident_pair[0]) +
+          "; if the parts should be one, put  Merge \"in.msh\"; Coherence Mesh;  into join.geo and run  gmsh join.geo "
+          "-save -format msh22 -o out.msh");
+  return all;
+}
+
 TetMesh readGmsh(std::istream& in, const std::string& name, MeshRepairs* repairs) {
   const std::string text = readAll(in, name);
+  const std::string foreign = describeForeignFile(text);
+  if (!foreign.empty()) throw InputError(name + ":1: " + foreign);
   LineReader reader(text, name);
   MeshBuilder builder(reader);
   readGmshSections(reader, builder);

@@ -35,12 +35,19 @@ std::pair<int, Face> faceOf(const std::array<int, 4>& nodes, int element, int lo
   return {n[0], Face{n[1], n[2], element, local, even}};
 }
 
-[[noreturn]] void failAtFace(int lowest, const Face* first, const Face* last, const std::string& what) {
-  std::string elements;
-  for (const Face* face = first; face != last; ++face) elements += std::to_string(face->element) + " ";
-  throw TopologyError("elements " + elements + what + " the face of nodes " + std::to_string(lowest) + " " +
-                          std::to_string(first->middle) + " " + std::to_string(first->highest) + " (counted from 0)",
-                      (last - 1)->element);
+[[noreturn]] void failAtFace(int lowest, const Face* first, const Face* last, bool overlap) {
+  std::vector<int> elements;
+  for (const Face* face = first; face != last; ++face) elements.push_back(face->element);
+  throw TopologyError(overlap, {lowest, first->middle, first->highest}, elements);
+}
+
+std::string message(bool overlap, const std::array<int, 3>& face, const std::vector<int>& elements) {
+  std::string text = "elements ";
+  for (int e : elements) text += std::to_string(e) + " ";
+  text += overlap ? "overlap: they lie on the same side of" : "share";
+  text += " the face of nodes";
+  for (int n : face) text += " " + std::to_string(n);
+  return text + " (counted from 0)";
 }
 
 /// Makes neighbours of the elements at every one of these faces, which have their lowest node in common.
@@ -51,11 +58,11 @@ void joinFaces(int lowest, Span<Face> faces, std::vector<std::array<int, 4>>& ne
   });
   while (first != last) {
     Face* const next = std::find_if(first, last, [&](const Face& face) { return !sameNodes(face, *first); });
-    if (next - first > 2) failAtFace(lowest, first, next, "share");
+    if (next - first > 2) failAtFace(lowest, first, next, false);
     if (next - first == 2) {
       const Face& a = first[0];
       const Face& b = first[1];
-      if (a.even == b.even) failAtFace(lowest, first, next, "overlap: they lie on the same side of");
+      if (a.even == b.even) failAtFace(lowest, first, next, true);
       neighbours[a.element][a.local] = b.element;
       neighbours[b.element][b.local] = a.element;
     }
@@ -81,6 +88,12 @@ std::vector<std::array<int, 4>> findNeighbours(const TetMesh& mesh) {
 }
 
 }  // namespace
+
+TopologyError::TopologyError(bool overlapping, const std::array<int, 3>& face_nodes, const std::vector<int>& at_face)
+    : InputError(message(overlapping, face_nodes, at_face)),
+      overlap(overlapping),
+      face(face_nodes),
+      elements(at_face) {}
 
 MeshTopology buildTopology(const TetMesh& mesh) {
   MeshTopology topology;

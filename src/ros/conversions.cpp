@@ -119,6 +119,7 @@ Setter into(Field BodyState::*field) {
 
 /// Where each quantity goes.
 const std::map<std::string, Setter> FIELDS = {{"nodes", into(&BodyState::nodes)},
+                                              {"held_nodes", into(&BodyState::held_nodes)},
                                               {"elements", into(&BodyState::elements)},
                                               {"crack_elements", into(&BodyState::crack_elements)},
                                               {"parts", into(&BodyState::parts)},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "incision/body/quantities.h"
 #include "incision/body/remarks.h"
 #include "incision/ros/conversions.h"
 #include "incision/ros/tf_frames.h"
@@ -35,13 +36,20 @@ std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   return std::make_unique<WallPacer>(time_step);
 }
 
+TetMesh loadMeshAloud(const Scene& scene) {
+  std::vector<std::string> notes;
+  TetMesh mesh = loadMesh(scene, &notes);
+  for (const std::string& note : notes) ROS_WARN_STREAM(note);
+  return mesh;
+}
+
 SteadyTime now() { return std::chrono::steady_clock::now(); }
 
 }  // namespace
 
 IncisionNode::IncisionNode()
     : settings_(loadSettings(node_)),
-      body_(settings_.scene, loadMesh(settings_.scene), settings_.descriptions),
+      body_(settings_.scene, loadMeshAloud(settings_.scene), settings_.descriptions),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
       agenda_(settings_.tools.size()),
@@ -60,11 +68,10 @@ IncisionNode::IncisionNode()
   for (std::size_t i = 0; i < settings_.tools.size(); ++i)
     tools_.emplace_back(node_, i, settings_.tools[i], *body_.toolEdge(i), input_.frames(),
                         settings_.scene.solver.time_step);
-  const BodyCounts counts = body_.counts();
-  reporter_.setPieces(counts.pieces);
+  reporter_.setPieces(body_.counts().pieces);
   // Also because roscpp registers the node once more at its first message: were that the one that a node of the same
   // name has taken over, the master would end both.
-  ROS_INFO_STREAM("a body of " << counts.elements << " elements in frame \"" << settings_.scene.body.frame << "\"");
+  ROS_INFO_STREAM(describe(body_));
   if (auto* pacer = dynamic_cast<ClockPacer*>(pacer_.get()))
     clock_ = node_.subscribe<rosgraph_msgs::Clock>(
         "/clock", CLOCK_QUEUE, [this, pacer](const rosgraph_msgs::Clock::ConstPtr& message) {

@@ -11,12 +11,22 @@
 namespace incision {
 namespace {
 
-Scene loadSceneParameter(const ros::NodeHandle& node) {
+/// The folder of the scene's file, which the parameter of its text does not tell.
+std::string sceneFolder(const YamlMap& parameters) {
+  const auto folder = parameters.find("scene_folder");
+  if (!folder) return "";
+  const std::string address = folder->text(MAX_PATH);
+  if (address.front() != '/' && address.find("://") == std::string::npos)
+    folder->refuse("package://NAME/FOLDER or an absolute path");
+  return folder->path();
+}
+
+Scene loadSceneParameter(const ros::NodeHandle& node, const std::string& folder) {
   const std::string name = node.resolveName("scene");
   XmlRpc::XmlRpcValue value;
   if (!node.getParam("scene", value))
     throw InputError(name + ": this parameter is missing; load a scene file there, as incision.launch does");
-  Scene scene = parseScene(toYaml(value, name), name, "");
+  Scene scene = parseScene(toYaml(value, name), name, folder);
   loadPoses(&scene);
   for (Clamp& clamp : scene.boundary)
     if (!clamp.frame.empty()) clamp.poses.clear();  // tf has them
@@ -26,10 +36,11 @@ Scene loadSceneParameter(const ros::NodeHandle& node) {
 }  // namespace
 
 NodeSettings loadSettings(const ros::NodeHandle& node) {
-  const YamlMap parameters = privateParameters(
-      node, {"scene", "tool_description", "obstacle_description", "marker_rate", "transform_timeout", "max_lag"});
+  const YamlMap parameters =
+      privateParameters(node, {"scene", "scene_folder", "tool_description", "obstacle_description", "marker_rate",
+                               "transform_timeout", "max_lag"});
   NodeSettings settings;
-  settings.scene = loadSceneParameter(node);
+  settings.scene = loadSceneParameter(node, sceneFolder(parameters));
   settings.tools = toolsOf(settings.scene);
   settings.descriptions.tool = toolDescription(node, settings.scene);
   settings.descriptions.obstacles = obstacleDescription(node, &settings.scene);

@@ -7,10 +7,12 @@
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <utility>
 
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
 #include "incision/body/deformable_body.h"
+#include "incision/body/quantities.h"
 #include "incision/body/remarks.h"
 #include "incision/run/output_file.h"
 #include "incision/run/run_record.h"
@@ -153,11 +155,14 @@ bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outpu
 
 BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& err) {
   const Scene scene = loadScene(options.scene, options.overrides);
-  DeformableBody body(scene, loadMesh(scene), {loadDescription(scene), loadObstacleDescription(scene)});
-  for (const std::string& remark : remarksOn(body.scene(), body.mesh()))
-    err << "incision_batch: warning: " << remark << std::endl;
+  std::vector<std::string> notes;
+  TetMesh mesh = loadMesh(scene, &notes);
+  DeformableBody body(scene, std::move(mesh), {loadDescription(scene), loadObstacleDescription(scene)});
+  for (const std::string& remark : remarksOn(body.scene(), body.mesh())) notes.push_back("warning: " + remark);
   body.wantWrenches(!options.record.empty());
   Outputs outputs = openOutputs(options, body);
+  notes.push_back(describe(body));
+  for (const std::string& note : notes) err << "incision_batch: " << note << std::endl;
   StepStatistics statistics;
   const bool stepped = takeSteps(options, body, outputs, statistics, err);
   const bool written = writeOutputs(options, body, outputs, err);

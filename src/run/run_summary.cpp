@@ -75,6 +75,7 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
   line["time"] = body.time();
   for (const Quantity& quantity : quantitiesOf(body, statistics.last()))
     line[quantity.name] = std::visit([](const auto& value) { return toJson(value); }, quantity.value);
+  line["bounds"] = {toJson(body.bounds().min), toJson(body.bounds().max)};
   line["piece_volumes"] = body.pieceVolumes();
   const std::vector<double> volumes = body.regionVolumes();
   for (int r = 0; r < body.regions().count(); ++r) line["regions"][body.regions().name(r)] = volumes[r];

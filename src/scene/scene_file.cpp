@@ -82,8 +82,8 @@ Scene loadScene(const std::string& path, const std::vector<std::string>& overrid
   return scene;
 }
 
-TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs) {
-  return scene.body.grid ? gridMesh(*scene.body.grid) : readGmsh(scene.body.mesh, repairs);
+TetMesh loadMesh(const Scene& scene, std::vector<std::string>* notes) {
+  return scene.body.grid ? gridMesh(*scene.body.grid) : readPlacedMeshes(scene.body.meshes, notes);
 }
 
 std::string loadDescription(const Scene& scene) {

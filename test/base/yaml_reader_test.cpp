@@ -46,6 +46,23 @@ TEST(YamlReader, MapsHaveKnownKeysOnce) {
   EXPECT_FALSE(oneOrTwo(section("a", "")).has("first"));
 }
 
+TEST(YamlReader, NamedEntriesComeByNameWhateverTheOrder) {
+  const auto entries = section("a", "{liver: 1, gall_2: 2, B-1: 3}").named(3);
+  std::vector<std::string> names;
+  for (const auto& [name, value] : entries) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"B-1", "gall_2", "liver"}));
+  EXPECT_EQ(entries.at("liver").number(), 1);
+  EXPECT_EQ(entries.at("liver").where(), "scene.yaml: a.liver");
+  const auto two = [](const YamlValue& value) { return value.named(2); };
+  expectRefused(two, "a",
+                {{"{}", ": a map (allowed: a map of 1 to 2 names)"},
+                 {"{b: 1, c: 2, d: 3}", ": a map (allowed: a map of 1 to 2 names)"},
+                 {"[1]", ": a list of 1 (allowed: a map of 1 to 2 names)"},
+                 {"{'b c': 1}", ": the name 'b c' (allowed: 1 to 255 letters, digits, _, -)"},
+                 {"{[1]: 1}", ": the name ''"},
+                 {"{b: 1, b: 2}", ".b: given twice (allowed: once)"}});
+}
+
 TEST(YamlReader, FramesAreNamesWithoutALeadingSlash) {
   EXPECT_EQ(frame(section("a", std::string(MAX_NAME, 'x'))), std::string(MAX_NAME, 'x'));
   expectRefused(frame, "a", {{"/knife", ": '/knife'"}, {"''", ": ''"}, {std::string(MAX_NAME + 1, 'x'), ": 'xxx"}});

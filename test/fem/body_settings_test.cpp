@@ -11,7 +11,8 @@ TEST(BodySettings, ArriveFromTheirSection) {
   const BodySettings body = parseBody(test::section(
       "body",
       "{mesh: a.msh, frame: liver, material: {density: 2}, pressure: averaged, warping: false, mass: consistent}"));
-  EXPECT_EQ(body.mesh, "/folder/a.msh");
+  ASSERT_EQ(body.meshes.size(), 1u);
+  EXPECT_EQ(body.meshes[0].file, "/folder/a.msh");
   EXPECT_FALSE(body.grid);
   EXPECT_EQ(body.frame, "liver");
   EXPECT_EQ(body.material.density, 2);
@@ -23,8 +24,9 @@ TEST(BodySettings, ArriveFromTheirSection) {
 TEST(BodySettings, BadValuesAreRefused) {
   const auto withGrid = [](const std::string& entry) { return "{grid: {cells: [1, 1, 1]}, " + entry + "}"; };
   test::expectRefused(parseBody, "body",
-                      {{"{}", ": needs a mesh or a grid"},
-                       {withGrid("mesh: a.msh"), ": needs a mesh or a grid"},
+                      {{"{}", ": needs a mesh, meshes or a grid (allowed: one of the three)"},
+                       {"{mesh: a.msh, meshes: {a: {file: a.msh}}}", ": needs a mesh, meshes or a grid"},
+                       {withGrid("mesh: a.msh"), ": needs a mesh, meshes or a grid"},
                        {"{mesh: ''}", ".mesh"},
                        {"{grid: {cells: [0, 1, 1]}}", ".grid.cells.0"},
                        {withGrid("frame: /body"), ".frame"},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -104,7 +105,7 @@ void expectErrors(const std::string& good, const std::vector<Spoilt>& spoilt) {
   }
 }
 
-void expectTheTwoTetrahedra(const TetMesh& mesh, const MeshRepairs& repairs) {
+void expectTheTwoTetrahedra(const TetMesh& mesh, const MeshRepairs& repairs, int repeated = 0) {
   ASSERT_EQ(mesh.nodes.size(), 6u);
   EXPECT_EQ(mesh.nodes[2], Vec3(5, 5, 5));
   EXPECT_EQ(mesh.nodes[5], Vec3(0.25, 0.25, -1));
@@ -112,6 +113,8 @@ void expectTheTwoTetrahedra(const TetMesh& mesh, const MeshRepairs& repairs) {
   EXPECT_EQ(repairs.reoriented, 0);
   EXPECT_EQ(repairs.unreferenced_nodes, 1);
   EXPECT_EQ(repairs.skipped_elements, 1);
+  EXPECT_EQ(repairs.repeated_elements, repeated);
+  EXPECT_EQ(repairs.coincident_nodes, 0);
 }
 
 TEST(MeshIo, BothVersionsGiveTheMeshInTheFilesOrder) {
@@ -141,6 +144,69 @@ TEST(MeshIo, InvertedElementsAreTurned) {
   for (int e : {0, 1}) EXPECT_GT(elementVolume(mesh, e), 0);
 }
 
+TEST(MeshIo, ElementsWithEqualNumbersAreTwo) {
+  EXPECT_EQ(read(replaced(V2_2, "3 4 3 1 1 -2", "1 4 3 1 1 -2")).elements.size(), 2u);
+  EXPECT_EQ(read(replaced(V4_1, "3 20 10 30 5", "1 20 10 30 5")).elements.size(), 2u);
+}
+
+TEST(MeshIo, AnElementThatIsRepeatedCountsOnce) {
+  // Also in another order of its nodes.
+  const std::string again = "\n1 4 0 10 20 30 4000000000000\n8 4 0 20 30 10 4000000000000\n3 4 3 1 1 -2";
+  MeshRepairs repairs;
+  const TetMesh mesh = read(replaced(replaced(V2_2, "\n3 4 3 1 1 -2", again), "\n3\n7", "\n5\n7"), &repairs);
+  expectTheTwoTetrahedra(mesh, repairs, 2);
+}
+
+TEST(MeshIo, TenNodeTetrahedraAreReadByTheirCorners) {
+  // Node 99 stands for all of the six in the middles of the edges.
+  std::string text =
+      replaced(V2_2, "1 4 2 1 1 10 20 30 4000000000000", "1 11 2 1 1 10 20 30 4000000000000 99 99 99 99 99 99");
+  MeshRepairs repairs;
+  const TetMesh mesh = read(text, &repairs);
+  expectTheTwoTetrahedra(mesh, repairs);
+  EXPECT_EQ(repairs.second_order_elements, 1);
+  EXPECT_EQ(errorOf(replaced(text, "99 99 99 99 99 99", "99 99 99 99 99 98")),
+            "a.msh:20: element 1 uses node 98, which is not among the nodes");
+}
+
+TEST(MeshIo, TetrahedraOfHigherOrderAreRefusedWithTheCommandThatLowersIt) {
+  for (const std::string type : {"29", "30", "31"}) {
+    const std::string what = errorOf(replaced(V2_2, "1 4 2 1 1", "1 " + type + " 2 1 1"));
+    EXPECT_EQ(what.find("a.msh:20: tetrahedra of "), 0u) << what;
+    EXPECT_NE(what.find("gmsh -3 -order 1"), std::string::npos) << what;
+  }
+}
+
+TEST(MeshIo, ElementsWithAVolumeThatAreNoTetrahedraAreCountedAndRefused) {
+  const std::string text = replaced(replaced(V2_2, "\n3\n7", "\n6\n7"), "$EndElements",
+                                    "8 6 0 10 20 30 99 99 99\n9 5 0 1 2 3 4 5 6 7 8\n10 18 0 1 2\n$EndElements");
+  EXPECT_EQ(errorOf(text).find("a.msh:22: hexahedra: 1, prisms: 2, the first of them here, but only tetrahedra"), 0u)
+      << errorOf(text);
+  for (int type : {5, 6, 7, 12, 13, 14, 17, 18, 19})
+    EXPECT_NE(errorOf(replaced(V4_1, "3 1 4 2", "3 1 " + std::to_string(type) + " 2")).find("only tetrahedra"),
+              std::string::npos);
+}
+
+TEST(MeshIo, PartsThatTouchWithoutBeingJoinedAreTold) {
+  // A third element of its own, at node 10 and near node 20.
+  std::string text = replaced(V2_2, "\n6\n10", "\n10\n200 0 0 0\n201 1 1e-10 0\n202 0 -1 0\n203 0 0 -3\n10");
+  text = replaced(replaced(text, "\n3\n7", "\n4\n7"), "$EndElements", "9 4 0 200 201 202 203\n$EndElements");
+  MeshRepairs repairs;
+  read(text, &repairs);
+  EXPECT_EQ(repairs.coincident_nodes, 2);
+  EXPECT_EQ(repairs.coincident_pair, (std::array<std::int64_t, 2>{200, 10}));
+  const std::vector<std::string> said = sentences(repairs);
+  const auto joins = [](const std::string& line) { return line.find("Coherence Mesh;") != std::string::npos; };
+  EXPECT_EQ(std::count_if(said.begin(), said.end(), joins), 1);
+  read(replaced(replaced(text, "200 0 0 0", "200 0 0 -0.1"), "201 1 1e-10 0", "201 1 1e-4 0"), &repairs);
+  EXPECT_EQ(repairs.coincident_nodes, 0);
+}
+
+TEST(MeshIo, EveryRepairIsASentenceOfItsOwn) {
+  EXPECT_TRUE(sentences(MeshRepairs()).empty());
+  EXPECT_EQ(sentences({1, 2, 3, 4, 5, 6, {7, 8}}).size(), 5u);  // of skipped surfaces there is nothing to say
+}
+
 TEST(MeshIo, NodesAtOnePlaceStayApart) {
   // Node 99 takes the place of node 10 in the second element: a crack along the face between the two.
   const std::string text = replaced(replaced(V2_2, "99 5 5 5", "99 0 0 0"), "20 10 30 5", "20 99 30 5");
@@ -166,14 +232,14 @@ TEST(MeshIo, ElementsTooSmallForTheirVolumeToBeANumberAreRefused) {
 
 TEST(MeshIo, TheFormatMustBeOneThatIsRead) {
   expectErrors(V2_2, {{"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "", "a.msh:5: $Nodes is given twice or out of order"},
-                      {"$MeshFormat", "# vtk DataFile", "a.msh:1: expected a section of a Gmsh ASCII file"},
+                      {"$MeshFormat", "# vtk DataFile", "a.msh:1: a VTK file"},
                       {"2.2 0 8", "2.2 1 8", "a.msh:2: the file is binary"},
                       {"2.2 0 8", "4.0 0 8", "a.msh:2: this is another version"},
                       {"2.2 0 8", "nan 0 8", "a.msh:2: version: \"nan\" is not a finite number"},
                       {"2.2 0 8", "2.2 0", "a.msh:2: data size is missing"},
                       {"2.2 0 8", "2.2 0 8 8", "a.msh:2: the line should have ended before \"8\""},
                       {"$EndMeshFormat", "$Nodes", "a.msh:3: expected $EndMeshFormat"}});
-  EXPECT_EQ(errorOf(""), "a.msh:1: the file ends without a section $MeshFormat");
+  EXPECT_EQ(errorOf("$Comments\n$EndComments\n"), "a.msh:2: the file ends without a section $MeshFormat");
 }
 
 TEST(MeshIo, SectionsMustBeWholeAndInOrder) {
@@ -212,7 +278,7 @@ TEST(MeshIo, BadNodesAreRefused) {
   expectErrors(V2_2, {{"20 1 0 0", "20 nan 0 0", "a.msh:11: x: \"nan\" is not a finite number"},
                       {"20 1 0 0", "20 1 -inf 0", "a.msh:11: y: \"-inf\" is not a finite number"},
                       {"20 1 0 0", "20 1 0 1e999", "a.msh:11: z: \"1e999\" is not a finite number"},
-                      {"20 1 0 0", "20 1 0 2e9", "a.msh:11: coordinates must be within 1e9 m"},
+                      {"20 1 0 0", "20 1 0 2e9", "a.msh:11: coordinates must be within 1e9 of"},
                       {"20 1 0 0", "20 1 0 0x1", "a.msh:11: z: \"0x1\" is not a number"},
                       {"20 1 0 0", "20 1 0 1,5", "a.msh:11: z: \"1,5\" is not a number"},
                       {"20 1 0 0", "20 1 0", "a.msh:11: z is missing at the end of the line"},
@@ -232,26 +298,28 @@ TEST(MeshIo, BadElementsAreRefused) {
                       {second, "3 4 2 1 1 20 10 30 5 5", "a.msh:21: the line should have ended before \"5\""},
                       {second, "3 4 9223372036854775807 1 1 20 10 30 5", "a.msh:21: tag is missing"},
                       {second, "3 4 -1 20 10 30 5", "a.msh:21: number of tags: \"-1\" must be at least 0"},
-                      {second, "1 4 2 1 1 20 10 30 5", "a.msh:21: element 1 is given twice"},
-                      {second, "7 4 2 1 1 20 10 30 5", "a.msh:21: element 7 is given twice"},
-                      {second, "3 4 0 30 4000000000000 10 20",
-                       "a.msh:21: the element has the same four nodes as the one in line 20"},
-                      {second, "3 4 0 10 20 30 99", "a.msh:21: elements 0 1 overlap: they lie on the same side of"}});
+                      {second, "3 71 2 1 1 20 10 30 5", "a.msh:21: element type 71 is none that can be read"},
+                      {second, "3 4 0 10 20 30 99",
+                       "a.msh:21: element 3 overlaps element 1 in line 20: they lie on the same side of the face of "
+                       "nodes 10 20 30"}});
 }
 
 TEST(MeshIo, AFaceOfThreeElementsIsNamedByItsLastLine) {
   std::string text = replaced(V2_2, "\n3\n7", "\n4\n7");
   text = replaced(text, "$EndElements", "9 4 0 10 20 30 99\n$EndElements");
-  EXPECT_EQ(errorOf(text).substr(0, 56), "a.msh:22: elements 0 1 2 share the face of nodes 0 1 3 (");
+  EXPECT_EQ(
+      errorOf(text),
+      "a.msh:22: element 9 shares the face of nodes 10 20 30 with element 1 in line 20 and element 3 in line 21: a "
+      "face belongs to one element or two");
 }
 
 TEST(MeshIo, AMeshWithoutTetrahedraIsRefused) {
   const std::size_t elements = V2_2.find("$Elements");
   const std::string head = V2_2.substr(0, elements);
-  EXPECT_EQ(errorOf(head + "$Elements\n1\n7 2 0 10 20 30\n$EndElements"),
-            "a.msh:20: no four-node tetrahedra (element type 4) among 1 elements");
-  EXPECT_EQ(errorOf(head + "$Elements\n0\n$EndElements"),
-            "a.msh:19: no four-node tetrahedra (element type 4) among 0 elements");
+  EXPECT_EQ(errorOf(head + "$Elements\n1\n7 2 0 10 20 30\n$EndElements").substr(0, 67),
+            "a.msh:20: no tetrahedra among 1 elements: did gmsh report errors? (");
+  EXPECT_EQ(errorOf(head + "$Elements\n0\n$EndElements").substr(0, 67),
+            "a.msh:19: no tetrahedra among 0 elements: did gmsh report errors? (");
 }
 
 TEST(MeshIo, BlocksOfVersion41MustAddUp) {
@@ -270,7 +338,8 @@ TEST(MeshIo, BlocksOfVersion41MustAddUp) {
                       {"2 3 1 7", "2 4 1 7", "a.msh:31: 1 of the elements announced are missing"},
                       {"2 3 1 7", "2 2 1 7", "a.msh:29: the block has 2 items, but only 1 are left"},
                       {"3 1 4 2", "3 1 4 1", "a.msh:30: 1 of the elements announced are missing"},
-                      {"3 1 4 2", "3 1 11 2", "a.msh:32: no four-node tetrahedra"}});
+                      {"3 1 4 2", "2 1 4 2", "a.msh:29: dimension of the entity: 2, but its elements are tetrahedra"},
+                      {"3 1 4 2", "3 1 11 2", "a.msh:30: node is missing at the end of the line"}});
 }
 
 TEST(MeshIo, FilesThatCannotBeReadAreNamed) {

@@ -16,6 +16,8 @@ SCENE = {'body': {'grid': {'cells': [1, 1, 1]}}}
 
 BAD = {
     "marker_rat: unknown key, did you mean marker_rate?": {'marker_rat': 15},
+    "scene_folder: 'meshes' (allowed: package://NAME/FOLDER or an absolute path)": {'scene_folder': 'meshes'},
+    "scene_folder: package no_such_package not found": {'scene_folder': 'package://no_such_package/scenes'},
     "speed: unknown key": {'speed': 1},
     "marker_rate: '1001' (allowed: 0 to 1000)": {'marker_rate': 1001},
     "transform_timeout: 'soon' (allowed: 0 to 60)": {'transform_timeout': 'soon'},

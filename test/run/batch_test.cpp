@@ -98,6 +98,8 @@ TEST_F(Batch, EndsWithOneLineOfJsonWithEveryKey) {
   for (const auto& [key, value] : line.items()) keys.insert(key);
   EXPECT_EQ(keys, (std::set<std::string>{"steps",
                                          "time",
+                                         "bounds",
+                                         "held_nodes",
                                          "nodes",
                                          "elements",
                                          "crack_elements",
@@ -130,6 +132,8 @@ TEST_F(Batch, EndsWithOneLineOfJsonWithEveryKey) {
   EXPECT_EQ(line["pieces"], 2);
   EXPECT_EQ(line["cracks"], 1);
   EXPECT_EQ(line["dofs"].get<int>(), 3 * line["copies"].get<int>());
+  EXPECT_EQ(line["held_nodes"], 4);
+  EXPECT_EQ(line["bounds"], Json::parse("[[0, 0, 0], [1, 0.25, 0.25]]"));
   EXPECT_EQ(line["momentum"].size(), 3u);
   EXPECT_EQ(line["state_hash"].get<std::string>().size(), 16u);
   EXPECT_GT(line["peak_rss_mb"].get<double>(), 1);
@@ -139,6 +143,28 @@ TEST_F(Batch, CutsThatMissAreToldOnStandardError) {
   run({file("bar.yaml"), "--steps", "3"});
   EXPECT_NE(err_.str().find("'beside' at 0.02 s missed"), std::string::npos) << err_.str();
   EXPECT_EQ(err_.str().find("'middle'"), std::string::npos) << err_.str();
+}
+
+TEST_F(Batch, SaysAtTheStartWhatTheBodyIs) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "0"}), BatchStatus::DONE) << err_.str();
+  EXPECT_EQ(err_.str(),
+            "incision_batch: a body of 24 elements in frame \"body\", from (0, 0, 0) to (1, 0.25, 0.25) m, of 62.5 kg, "
+            "4 of its 20 nodes held\n");
+}
+
+TEST_F(Batch, SaysWhatOfTheMeshWasMendedAndLeavesStraysOutOfTheBounds) {
+  std::ofstream(file("a.msh")) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1000 0 0\n3 0 1000 0\n"
+                                  "4 0 0 1000\n5 9 9 -9\n$EndNodes\n$Elements\n2\n1 4 2 1 1 1 2 4 3\n"
+                                  "1 4 2 2 1 1 2 3 4\n$EndElements\n";
+  std::ofstream(file("mesh.yaml")) << "body: {mesh: a.msh, scale: 0.001}\nboundary: [{group: 2}]\n";
+  ASSERT_EQ(run({file("mesh.yaml"), "--steps", "0"}), BatchStatus::DONE) << err_.str();
+  for (const char* said : {"a.msh: elements of negative volume", "a.msh: elements that repeat others",
+                           "a.msh: nodes that are the corner of no tetrahedron"})
+    EXPECT_NE(err_.str().find(said), std::string::npos) << err_.str();
+  const Json line = Json::parse(out_.str());
+  EXPECT_EQ(line["bounds"], Json::parse("[[0, 0, 0], [1, 1, 1]]"));
+  EXPECT_EQ(line["held_nodes"], 4);
+  EXPECT_EQ(line["nodes"], 5);
 }
 
 TEST_F(Batch, NoStepsOnlyLoadTheScene) {

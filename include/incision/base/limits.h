@@ -12,4 +12,7 @@ inline constexpr double MAX_COORDINATE = 1e9;
 /// Longest name of a frame or link [bytes], far above those in use.
 inline constexpr std::size_t MAX_NAME = 255;
 
+/// Longest path of a file [bytes], as Linux has it.
+inline constexpr std::size_t MAX_PATH = 4096;
+
 }  // namespace incision

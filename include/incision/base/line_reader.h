@@ -29,6 +29,9 @@ class LineReader {
   std::int64_t integer(const char* what, std::int64_t smallest);
   double real(const char* what);
 
+  /// Takes the next word of the line, whatever it is.
+  void skip(const char* what) { word(what); }
+
   /// Takes the number of items that follow, and fails when so many cannot be in the rest of the text, `bytes_each`
   /// being the least that one takes. So memory may be reserved by it.
   int count(const char* what, int smallest, int bytes_each);

@@ -48,6 +48,10 @@ class YamlValue {
   /// A map with none but these keys, each at most once; a key with nothing after it is an empty map.
   YamlMap map(const std::vector<std::string>& allowed_keys) const;
 
+  /// The entries of a map whose keys are names that the user gives: letters, digits, _ and -, at most MAX_NAME of them.
+  /// By name, so that their order does not depend on who has written the map. At least one, at most `max_count`.
+  std::map<std::string, YamlValue> named(std::size_t max_count) const;
+
   const std::string& source() const { return source_; }
   /// "source: key".
   std::string where() const;

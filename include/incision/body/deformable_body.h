@@ -22,9 +22,10 @@
 
 namespace incision {
 
-/// Sizes of the body; `dofs` = 3 × copies.
+/// Sizes of the body; `dofs` = 3 × copies. Of the nodes, held are those that a clamp has and an element uses.
 struct BodyCounts {
-  int nodes = 0, elements = 0, crack_elements = 0, parts = 0, copies = 0, dofs = 0, cracks = 0, pieces = 0;
+  int nodes = 0, held_nodes = 0, elements = 0, crack_elements = 0, parts = 0, copies = 0, dofs = 0, cracks = 0,
+      pieces = 0;
 };
 
 /// Sums over the body at the current state.
@@ -161,6 +162,7 @@ class DeformableBody {
   std::vector<Vec3> nodePositions() const;      ///< of every node's own copy, in mesh order; X where no element uses it
 
   BodyCounts counts() const;
+  const RestBox& bounds() const;  ///< of the uncut body at rest, [m]
   BodyMotion motion() const;
   std::vector<double> pieceVolumes() const;   ///< rest volumes [m³], ascending
   std::vector<double> regionVolumes() const;  ///< rest volume of each region [m³]

@@ -24,4 +24,7 @@ std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult&
 /// `clamp_0_force`, `clamp_0_torque`, …, `ground_force`, `obstacle_0_force`, …. For the record alone.
 std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body);
 
+/// What the body is before its first step, in a line for people: its size, where it lies, its mass, what holds it.
+std::string describe(const DeformableBody& body);
+
 }  // namespace incision

@@ -9,11 +9,12 @@
 #include "incision/fem/pressure.h"
 #include "incision/fem/region_settings.h"
 #include "incision/mesh/grid_settings.h"
+#include "incision/mesh/placed_mesh.h"
 
 namespace incision {
 
 struct BodySettings {
-  std::string mesh;                  ///< absolute path of a file; or
+  std::vector<PlacedMesh> meshes;    ///< mesh files; or
   std::optional<GridSettings> grid;  ///< exactly one of the two is given
   std::string frame = "body";        ///< tf frame of the body's coordinates
   Material material;

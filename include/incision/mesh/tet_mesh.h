@@ -31,11 +31,14 @@ struct MeshTopology {
   Lists<int> star;  ///< elements round each node, ascending
 };
 
-/// Elements that do not fit together at a face they share.
+/// Elements that do not fit together at a face they share. The message counts elements and nodes from 0.
 class TopologyError : public InputError {
  public:
-  TopologyError(const std::string& reason, int last_element) : InputError(reason), element(last_element) {}
-  const int element;  ///< the last of the elements at that face
+  /// `overlap`: two that lie on the same side of the face; else more than two have it.
+  TopologyError(bool overlap, const std::array<int, 3>& face_nodes, const std::vector<int>& at_face);
+  const bool overlap;
+  const std::array<int, 3> face;    ///< its nodes, ascending
+  const std::vector<int> elements;  ///< all that have the face, ascending
 };
 
 /// Throws TopologyError when a face belongs to more than two elements, or to two that lie on the same side of it.

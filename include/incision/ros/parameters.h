@@ -11,7 +11,7 @@ namespace incision {
 
 /// The node's private parameters.
 struct NodeSettings {
-  Scene scene;                   ///< ~scene
+  Scene scene;                   ///< ~scene, whose relative paths are taken from ~scene_folder
   std::vector<ToolEntry> tools;  ///< of the scene
   Descriptions descriptions;     ///< ~tool_description, ~obstacle_description
   double marker_rate = 15;       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers

@@ -9,7 +9,6 @@
 #include "incision/fem/body_settings.h"
 #include "incision/fem/boundary_settings.h"
 #include "incision/fracture/settings.h"
-#include "incision/mesh/mesh_io.h"
 #include "incision/solver/settings.h"
 #include "incision/tool/settings.h"
 
@@ -43,8 +42,8 @@ void loadPoses(Scene* scene);
 /// first, and the maps on the way to it. Throws InputError.
 Scene loadScene(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// The scene's mesh file or grid.
-TetMesh loadMesh(const Scene& scene, MeshRepairs* repairs = nullptr);
+/// The scene's mesh files or grid. What reading had to mend is added to `notes`, each a sentence.
+TetMesh loadMesh(const Scene& scene, std::vector<std::string>* notes = nullptr);
 
 /// Texts of URDFs; empty where there is none.
 struct Descriptions {
