@@ -14,10 +14,19 @@ BodyWrenches DeformableBody::State::noWrenches() const {
 void DeformableBody::State::feel(const StepSpan& span, bool coupled) {
   const double share = span.to - span.from, whole_step = scene.solver.time_step;
   for (std::size_t i = 0; i < felt.clamps.size(); ++i) felt.clamps[i] += share * step.clampWrenches()[i];
-  if (!coupled || !body_contact) return;
-  const std::size_t first = 0;  // where makeCouplers() lists it
-  body_contact->addWrenches(couplers.ofCoupler(first, step.impulses()), couplers.ofCoupler(first, step.levers()),
-                            whole_step, &felt.ground, &felt.obstacles);
+  felt.points.clear();
+  if (!coupled) return;
+  if (body_contact)
+    body_contact->addWrenches(couplers.ofCoupler(*body_contact, step.impulses()),
+                              couplers.ofCoupler(*body_contact, step.levers()), whole_step, &felt.ground,
+                              &felt.obstacles);
+  const auto addPoints = [&](const Contact& contact, int tool) {
+    contact.addPoints(couplers.ofCoupler(contact, step.moved()), couplers.ofCoupler(contact, step.impulses()),
+                      span.time_step, tool, motion.x, &felt.points);
+  };
+  if (body_contact) addPoints(*body_contact, -1);
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    if (tools[i]->contact()) addPoints(*tools[i]->contact(), static_cast<int>(i));
 }
 
 /// The step has been taken, but nothing has gone to where it ends yet.

@@ -134,6 +134,7 @@ void DeformableBody::moveClamp(int clamp, const Pose& pose) { state_->clamp_moti
 void DeformableBody::placeClamp(int clamp, const Pose& pose) { state_->placeClamp(clamp, pose); }
 
 void DeformableBody::wantWrenches(bool wanted) {
+  if (state_->wants_wrenches == wanted) return;
   state_->wants_wrenches = wanted;
   state_->step.wantClampWrenches(wanted);
   state_->wrenches = wanted ? state_->noWrenches() : BodyWrenches();
@@ -191,6 +192,20 @@ BodyMotion DeformableBody::motion() const {
   motion.max_displacement = largestDisplacement(s.mesh, s.motion.x);
   motion.elastic_energy = assembly.elasticEnergy(s.motion.x);
   return motion;
+}
+
+std::vector<int> DeformableBody::heldCopies() const {
+  std::vector<int> copies;
+  const std::vector<int>& held = state_->step.held();
+  for (std::size_t c = 0; c < held.size(); ++c)
+    if (held[c] >= 0) copies.push_back(static_cast<int>(c));
+  return copies;
+}
+
+std::vector<Vec3> DeformableBody::loadForces() const {
+  std::vector<Vec3> forces(state_->motion.x.size(), Vec3::Zero());
+  state_->step.loads().addTo(time(), state_->motion.x, &forces);
+  return forces;
 }
 
 std::vector<double> DeformableBody::pieceVolumes() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "incision/fem/boundary.h"
+#include "incision/fem/regions.h"
 
 namespace incision {
 namespace {
@@ -29,10 +30,24 @@ void remarkOnLoads(const Scene& scene, const CutMesh& mesh, std::vector<std::str
       remarks->push_back(remark(load.place, "has no face of the mesh's boundary: it loads nothing"));
 }
 
+void remarkOnRegions(const Scene& scene, const CutMesh& mesh, std::vector<std::string>* remarks) {
+  const Regions regions(mesh.mesh(), scene.body.regions);
+  std::vector<char> is_used(regions.count(), 0);
+  for (int e = 0; e < static_cast<int>(mesh.mesh().elements.size()); ++e) is_used[regions.of(e)] = 1;
+  for (std::size_t i = 0; i < scene.body.regions.size(); ++i) {
+    if (is_used[i + 1]) continue;
+    const Place& place = scene.body.regions[i].place;
+    const bool is_empty = elementsAt(place, mesh.mesh()).empty();
+    remarks->push_back(remark(place, is_empty ? "has no element of the mesh: this region is empty"
+                                              : "has only elements that later entries take: this region is empty"));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> remarksOn(const Scene& scene, const CutMesh& mesh) {
   std::vector<std::string> remarks;
+  remarkOnRegions(scene, mesh, &remarks);
   remarkOnClamps(scene, mesh, &remarks);
   remarkOnLoads(scene, mesh, &remarks);
   const std::vector<int> held = heldNodes(mesh.mesh(), scene.boundary);

@@ -210,4 +210,26 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
   }
 }
 
+void Contact::addPoints(Span<const Vec3> moved, Span<const Vec3> impulses, double time, int tool,
+                        const std::vector<Vec3>& x, std::vector<ContactPoint>* points) const {
+  for (int i = 0; i < impulses.size(); ++i) {
+    if (impulses[i].isZero(0)) continue;
+    const Candidate& candidate = candidates_[static_cast<std::size_t>(i)];
+    ContactPoint point;
+    double weight = 0;  // of the point; what it meets on the body has weights below zero
+    for (int k = 0; k < candidate.point.count; ++k) {
+      const double own = std::max(0.0, candidate.point.weights[k]);
+      point.point += own * x[candidate.point.copies[k]];
+      weight += own;
+    }
+    point.point /= weight;
+    point.normal = candidate.normal;
+    point.force = impulses[i] / time;
+    point.depth = std::max(0.0, -candidate.gap - candidate.normal.dot(moved[i] - candidate.drift));
+    point.partner = candidate.partner;
+    point.tool = tool;
+    points->push_back(point);
+  }
+}
+
 }  // namespace incision

@@ -148,4 +148,12 @@ void fillState(const DeformableBody& body, const StepResult& last_step, BodyStat
   for (const Quantity& quantity : quantitiesOf(body, last_step)) FIELDS.at(quantity.name)(quantity, state);
 }
 
+void fillRegions(const Regions& regions, const std::vector<RegionStress>& stress, BodyState* state) {
+  for (int r = 0; r < static_cast<int>(stress.size()); ++r) {
+    state->regions.push_back(regions.name(r));
+    state->region_mean_stress.push_back(stress[static_cast<std::size_t>(r)].mean);
+    state->region_largest_stress.push_back(stress[static_cast<std::size_t>(r)].largest);
+  }
+}
+
 }  // namespace incision

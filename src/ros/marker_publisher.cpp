@@ -2,11 +2,38 @@
 
 #include <cmath>
 
+#include "incision/ros/surface_cloud.h"
+
 namespace incision {
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<ToolEntry>& tools) {
+  std::vector<std::string> names;
+  for (const ToolEntry& tool : tools) names.push_back(tool.name());
+  return names;
+}
+
+/// Of each triangle, the value of its part.
+std::vector<double> ofTriangles(const Surface& surface, const std::vector<double>& of_parts) {
+  std::vector<double> values;
+  values.reserve(surface.part.size());
+  for (int part : surface.part) values.push_back(of_parts[static_cast<std::size_t>(part)]);
+  return values;
+}
+
+}  // namespace
+
+MarkerPublisher::Topology::Topology(const DeformableBody& body)
+    : surface(body.surface()), stress(body), held(body.heldCopies()) {
+  for (int part : surface.part)
+    regions.push_back(body.regions().of(body.mesh().parts()[static_cast<std::size_t>(part)].element));
+}
 
 MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body)
     : frame_(settings.scene.body.frame),
+      field_(settings.marker_field),
       obstacles_(body.obstacles()),
+      contact_names_(contactNames(obstacles_, namesOf(settings.tools))),
       next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
   if (settings.marker_rate == 0) return;
   period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.marker_rate));
@@ -14,6 +41,8 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
     return node.advertise<visualization_msgs::MarkerArray>(topic, 1);
   };
   body_publisher_ = advertise("markers");
+  cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("surface", 1);
+  contact_publisher_ = node.advertise<Contacts>("contacts", 1);
   if (!obstacles_.shapes.empty()) obstacle_publisher_ = advertise("obstacles");
   for (std::size_t i = 0; i < settings.tools.size(); ++i)
     tools_.push_back({body.toolShapes(i), *body.toolEdge(i), advertise(settings.tools[i].topic("markers"))});
@@ -27,11 +56,18 @@ MarkerPublisher::~MarkerPublisher() {
 }
 
 void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step,
-                            SteadyTime now) {
+                            bool wants_stress, SteadyTime now) {
   if (now < next_) return;
   next_ = std::max(next_ + period_, now);
   Snapshot snapshot;
-  if (body_publisher_.getNumSubscribers() > 0) addSurface(body, &snapshot);
+  snapshot.wants_markers = body_publisher_.getNumSubscribers() > 0;
+  snapshot.wants_cloud = cloud_publisher_.getNumSubscribers() > 0;
+  snapshot.wants_stress = wants_stress;
+  if (snapshot.wants_markers || snapshot.wants_cloud || wants_stress) addBody(body, &snapshot);
+  if (wantsContacts()) {
+    snapshot.contacts = toContacts(body.wrenches(), contact_names_);
+    snapshot.contacts->step = static_cast<std::uint64_t>(body.steps());
+  }
   if (obstacle_publisher_.getNumSubscribers() > 0) snapshot.links = links;
   for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
     if (tools_[tool].publisher.getNumSubscribers() == 0) continue;
@@ -46,13 +82,19 @@ void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>&
   wakeup_.notify();
 }
 
-void MarkerPublisher::addSurface(const DeformableBody& body, Snapshot* snapshot) {
-  if (!surface_ || topology_version_ != body.topologyVersion()) {
-    surface_ = std::make_shared<Surface>(body.surface());
+void MarkerPublisher::addBody(const DeformableBody& body, Snapshot* snapshot) {
+  if (!topology_ || topology_version_ != body.topologyVersion()) {
+    topology_ = std::make_shared<Topology>(body);
     topology_version_ = body.topologyVersion();
   }
-  snapshot->surface = surface_;
+  snapshot->topology = topology_;
   snapshot->positions = body.positions();
+  if (snapshot->wants_markers && !body.scene().loads.empty()) snapshot->loads = body.loadForces();
+}
+
+std::vector<RegionStress> MarkerPublisher::regionStress() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return region_stress_;
 }
 
 std::optional<MarkerPublisher::Snapshot> MarkerPublisher::take() {
@@ -60,12 +102,49 @@ std::optional<MarkerPublisher::Snapshot> MarkerPublisher::take() {
   return std::exchange(latest_, std::nullopt);
 }
 
-void MarkerPublisher::publish(const Snapshot& snapshot) const {
+void MarkerPublisher::publish(const Snapshot& snapshot) {
   const ros::Time stamp = ros::Time::now();
-  if (snapshot.surface) body_publisher_.publish(toMarkers(*snapshot.surface, snapshot.positions, frame_, stamp));
+  if (snapshot.topology) publishBody(snapshot, stamp);
+  if (snapshot.contacts) {
+    Contacts contacts = *snapshot.contacts;
+    contacts.header.stamp = stamp;
+    contacts.header.frame_id = frame_;
+    contact_publisher_.publish(contacts);
+  }
   if (snapshot.links) obstacle_publisher_.publish(toMarkers(obstacles_, *snapshot.links, frame_, stamp));
   for (const auto& [tool, view] : snapshot.tools)
     tools_[tool].publisher.publish(toMarkers(tools_[tool].shapes, tools_[tool].edge, view, frame_, stamp));
+}
+
+void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& stamp) {
+  Topology& topology = *snapshot.topology;
+  const bool shows_stress = snapshot.wants_markers && field_ == MarkerField::STRESS;
+  std::vector<double> of_parts, of_triangles;
+  if (shows_stress || snapshot.wants_cloud || snapshot.wants_stress) {
+    of_parts = topology.stress.vonMises(snapshot.positions);
+    of_triangles = ofTriangles(topology.surface, of_parts);
+  }
+  if (snapshot.wants_stress) {
+    std::vector<RegionStress> found = topology.stress.ofRegions(of_parts);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    region_stress_ = std::move(found);
+  }
+  const std::vector<Vec3> x = surfacePositions(topology.surface, snapshot.positions);
+  if (snapshot.wants_cloud)
+    cloud_publisher_.publish(toCloud(topology.surface, x, topology.regions, of_triangles, frame_, stamp));
+  if (!snapshot.wants_markers) return;
+  BodyView view;
+  view.surface = &topology.surface;
+  view.x = x;
+  view.field = field_;
+  view.num_regions = topology.stress.materials().regions().count();
+  view.regions = topology.regions;
+  view.von_mises = of_triangles;
+  view.element_size = topology.stress.materials().meanSize();
+  for (int c : topology.held) view.held.push_back(snapshot.positions[static_cast<std::size_t>(c)]);
+  for (std::size_t c = 0; c < snapshot.loads.size(); ++c)
+    if (!snapshot.loads[c].isZero(0)) view.loads.emplace_back(snapshot.positions[c], snapshot.loads[c]);
+  body_publisher_.publish(toMarkers(view, frame_, stamp));
 }
 
 void MarkerPublisher::run() {

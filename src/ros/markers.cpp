@@ -1,6 +1,7 @@
 #include "incision/ros/markers.h"
 
 #include "incision/ros/conversions.h"
+#include "plain_marker.h"
 
 namespace incision {
 namespace {
@@ -15,26 +16,6 @@ constexpr double EDGE_WIDTH = 0.001;
 
 /// Of the arrow of a force [m]: the diameters of its shaft and its head, and the head's length.
 const Vec3 ARROW_SIZE(0.003, 0.006, 0.01);
-
-std_msgs::ColorRGBA colour(float r, float g, float b) {
-  std_msgs::ColorRGBA c;
-  c.r = r, c.g = g, c.b = b, c.a = 1;
-  return c;
-}
-
-Marker markerOf(int type, const std::string& what, int id, const std_msgs::ColorRGBA& colour, const std::string& frame,
-                const ros::Time& stamp) {
-  Marker marker;
-  marker.header.frame_id = frame;
-  marker.header.stamp = stamp;
-  marker.ns = what;
-  marker.id = id;
-  marker.type = type;
-  marker.pose.orientation.w = 1;
-  marker.scale.x = marker.scale.y = marker.scale.z = 1;
-  marker.color = colour;
-  return marker;
-}
 
 int typeOf(Drawing::Primitive primitive) {
   if (primitive == Drawing::Primitive::SPHERE) return Marker::SPHERE;
@@ -57,20 +38,6 @@ Marker markerOf(const Solid& solid, const Pose& pose, const std::string& what, i
 }
 
 }  // namespace
-
-visualization_msgs::MarkerArray toMarkers(const Surface& surface, const std::vector<Vec3>& x, const std::string& frame,
-                                          const ros::Time& stamp) {
-  visualization_msgs::MarkerArray array;
-  array.markers = {markerOf(Marker::TRIANGLE_LIST, "skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
-                   markerOf(Marker::TRIANGLE_LIST, "cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
-  const std::vector<Vec3> positions = surfacePositions(surface, x);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const int vertex : surface.triangles[t])
-      array.markers[surface.cut_face[t] ? 1 : 0].points.push_back(toPoint(positions[vertex]));
-  // rviz calls a list without points an error.
-  for (Marker& marker : array.markers) marker.action = marker.points.empty() ? Marker::DELETE : Marker::ADD;
-  return array;
-}
 
 visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std::vector<Pose>& links,
                                           const std::string& frame, const ros::Time& stamp) {

@@ -91,7 +91,7 @@ void IncisionNode::run() {
     changed |= applyCuts(due);
     if (due) step();
     if (changed || due || now() >= next_heartbeat_) publishState();
-    markers_.offer(body_, obstacles_.poses(), last_step_, now());
+    markers_.offer(body_, obstacles_.poses(), last_step_, wantsRegionStress(), now());
     if (!due) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
 }
@@ -176,6 +176,7 @@ bool IncisionNode::tryStep() {
     leadTools(time);
     moveObstacles(time);
     moveClamps(time);
+    body_.wantWrenches(markers_.wantsContacts());
     last_step_ = body_.step();
     for (ToolDriver& tool : tools_) tool.publishWrench(last_step_);
     if (!last_step_.settled)
@@ -224,6 +225,8 @@ void IncisionNode::reset() {
   setPaused(paused_);
 }
 
+bool IncisionNode::wantsRegionStress() const { return !body_.regions().areOne() && state_.getNumSubscribers() > 0; }
+
 void IncisionNode::publishState() {
   next_heartbeat_ = now() + HEARTBEAT;
   if (state_.getNumSubscribers() == 0) return;
@@ -238,6 +241,7 @@ void IncisionNode::publishState() {
   state.deepest_contact = last_step_.contact.deepest;
   state.real_time_factor = real_time_factor_.value();
   state.clock_lag = pacer_->lag();
+  if (wantsRegionStress()) fillRegions(body_.regions(), markers_.regionStress(), &state);
   reporter_.fillState(state);
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();

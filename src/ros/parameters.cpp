@@ -37,7 +37,7 @@ Scene loadSceneParameter(const ros::NodeHandle& node, const std::string& folder)
 
 NodeSettings loadSettings(const ros::NodeHandle& node) {
   const YamlMap parameters =
-      privateParameters(node, {"scene", "scene_folder", "tool_description", "obstacle_description", "marker_rate",
+      privateParameters(node, {"scene", "scene_folder", "tool_description", "obstacle_description", "marker_rate", "marker_field",
                                "transform_timeout", "max_lag"});
   NodeSettings settings;
   settings.scene = loadSceneParameter(node, sceneFolder(parameters));
@@ -45,6 +45,9 @@ NodeSettings loadSettings(const ros::NodeHandle& node) {
   settings.descriptions.tool = toolDescription(node, settings.scene);
   settings.descriptions.obstacles = obstacleDescription(node, &settings.scene);
   settings.marker_rate = parameters.number("marker_rate", settings.marker_rate, {0, 1000});
+  if (const auto field = parameters.find("marker_field"))
+    settings.marker_field = field->choice<MarkerField>(
+        {{"none", MarkerField::NONE}, {"region", MarkerField::REGION}, {"stress", MarkerField::STRESS}});
   settings.transform_timeout = parameters.number("transform_timeout", settings.transform_timeout, {0, 60});
   settings.max_lag = parameters.number("max_lag", settings.max_lag, {MAX_CLOCK_ADVANCE, 1e6});
   return settings;

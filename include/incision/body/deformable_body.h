@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "incision/base/short_list.h"
+#include "incision/contact/contact_point.h"
 #include "incision/contact/contact_report.h"
 #include "incision/contact/obstacles.h"
 #include "incision/cut/cut_result.h"
@@ -67,6 +68,7 @@ struct BodyWrenches {
                                ///< the origin of the body's frame where it has none or nothing is known of it
   std::vector<Wrench> obstacles;  ///< of each link of the obstacles, about the link's origin when the step started
   Wrench ground;                  ///< about the origin of the body's frame
+  std::vector<ContactPoint> points;  ///< what pressed on the body, in the last part of the step where it was divided
 };
 
 /// A step could not be taken, nor two of half its length. The state is the one before it.
@@ -164,6 +166,8 @@ class DeformableBody {
   BodyCounts counts() const;
   const RestBox& bounds() const;  ///< of the uncut body at rest, [m]
   BodyMotion motion() const;
+  std::vector<int> heldCopies() const;          ///< those that clamps hold
+  std::vector<Vec3> loadForces() const;         ///< of the loads on every copy, now [N]
   std::vector<double> pieceVolumes() const;   ///< rest volumes [m³], ascending
   std::vector<double> regionVolumes() const;  ///< rest volume of each region [m³]
   std::vector<Mat3> partStress() const;       ///< Cauchy stress [Pa] of every part, in the body's frame

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "incision/contact/candidate.h"
+#include "incision/contact/contact_point.h"
 #include "incision/contact/contact_report.h"
 #include "incision/contact/contact_skin.h"
 #include "incision/contact/legacy.h"
@@ -29,6 +30,11 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
 
   /// Of the step taken last.
   const ContactReport& report() const { return report_; }
+
+  /// Adds what pressed in a step of `time` [s] that has been taken: by how far the springs' points went, by the
+  /// impulses [N s] on the body, and by where the copies are at its end [m]. `tool` is whose shapes it touches.
+  void addPoints(Span<const Vec3> moved, Span<const Vec3> impulses, double time, int tool, const std::vector<Vec3>& x,
+                 std::vector<ContactPoint>* points) const;
 
  protected:
   /// Whether anything can be touched in this step at all: where not, the skin is not even placed.

@@ -2,31 +2,44 @@
 
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "incision/body/deformable_body.h"
+#include "incision/body/stress_view.h"
 #include "incision/pace/wakeup.h"
+#include "incision/ros/body_markers.h"
+#include "incision/ros/contacts_message.h"
 #include "incision/ros/markers.h"
 #include "incision/ros/parameters.h"
 
 namespace incision {
 
-/// Publishes the body's surface, the obstacles and the tools at a given rate, to subscribers only. The stepping thread
-/// only copies positions; messages are built and sent on a thread of its own, which skips what it is too slow for.
+/// Publishes at a given rate what others look at, to subscribers only: the body's surface as markers and as a cloud of
+/// points, its contacts, the obstacles and the tools. The stepping thread only copies; messages are built and sent on a
+/// thread of its own, which skips what it is too slow for.
 class MarkerPublisher {
  public:
   MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body);
   ~MarkerPublisher();
 
-  /// Hands over the body's surface, where the obstacles' `links` and the tools are, and the forces on the tools in the
-  /// last step, when it is time and somebody listens.
-  void offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step, SteadyTime now);
+  /// Hands over the body's surface, where the obstacles' `links` and the tools are, and what the last step has told,
+  /// when it is time and somebody listens. With `wants_stress` also what it takes to find the stress of regions.
+  void offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step,
+             bool wants_stress, SteadyTime now);
   /// When to offer again.
   SteadyTime nextOffer() const { return next_; }
+
+  /// Whether somebody listens to contacts, for which the body must want wrenches.
+  bool wantsContacts() const { return contact_publisher_.getNumSubscribers() > 0; }
+
+  /// Of each region, as it was found last; none before.
+  std::vector<RegionStress> regionStress() const;
 
  private:
   /// Of a tool.
@@ -35,31 +48,45 @@ class MarkerPublisher {
     Edge edge;
     ros::Publisher publisher;
   };
+  /// What stays as long as the topology does.
+  struct Topology {
+    explicit Topology(const DeformableBody& body);
+    const Surface surface;
+    StressView stress;
+    const std::vector<int> held;     // copies
+    std::vector<int> regions;        // of each triangle
+  };
   /// What somebody listens to, and nothing else.
   struct Snapshot {
-    std::shared_ptr<const Surface> surface;
-    std::vector<Vec3> positions;
+    std::shared_ptr<Topology> topology;
+    std::vector<Vec3> positions, loads;
+    bool wants_markers = false, wants_cloud = false, wants_stress = false;
+    std::optional<Contacts> contacts;
     std::optional<std::vector<Pose>> links;
     std::vector<std::pair<std::size_t, ToolView>> tools;  ///< by index
 
-    bool empty() const { return !surface && !links && tools.empty(); }
+    bool empty() const { return !topology && !contacts && !links && tools.empty(); }
   };
-  void addSurface(const DeformableBody& body, Snapshot* snapshot);
-  void publish(const Snapshot& snapshot) const;
+  void addBody(const DeformableBody& body, Snapshot* snapshot);
+  void publish(const Snapshot& snapshot);
+  void publishBody(const Snapshot& snapshot, const ros::Time& stamp);
   void run();
   std::optional<Snapshot> take();
 
   const std::string frame_;
+  const MarkerField field_;
   const Obstacles obstacles_;
+  const ContactNames contact_names_;
   std::chrono::nanoseconds period_;
-  ros::Publisher body_publisher_, obstacle_publisher_;
+  ros::Publisher body_publisher_, cloud_publisher_, contact_publisher_, obstacle_publisher_;
   std::vector<ToolOutput> tools_;
   SteadyTime next_;
-  std::shared_ptr<const Surface> surface_;
+  std::shared_ptr<Topology> topology_;
   std::uint64_t topology_version_ = 0;
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::optional<Snapshot> latest_;
+  std::vector<RegionStress> region_stress_;
   std::atomic<bool> stopping_ = false;
   Wakeup wakeup_;
   std::thread thread_;

@@ -53,6 +53,7 @@ class IncisionNode {
   bool tryStep();
   void stepFailed(const std::string& why);
   void reportChanges();
+  bool wantsRegionStress() const;
   void publishState();
 
   ros::NodeHandle node_{"~"};

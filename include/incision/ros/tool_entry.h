@@ -12,6 +12,8 @@ struct ToolEntry {
   ToolSettings settings;
   std::string topics;  ///< what the names of its topics begin with
 
+  /// What messages call it.
+  std::string name() const { return topics.substr(0, topics.size() - 1); }
   std::string topic(const std::string& name) const { return topics + name; }
 };
 

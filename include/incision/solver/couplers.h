@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <any>
 #include <vector>
 
@@ -39,9 +40,9 @@ class Couplers {
   /// The step that has begun has failed.
   void stepFailed();
 
-  /// Of values of all springs, those of the i-th coupler.
-  Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {
-    return {values.data() + first_[i], values.data() + first_[i + 1]};
+  /// Of values of all springs, those of a coupler.
+  Span<const Vec3> ofCoupler(const Coupler& coupler, const std::vector<Vec3>& values) const {
+    return ofCoupler(static_cast<std::size_t>(std::find(list_.begin(), list_.end(), &coupler) - list_.begin()), values);
   }
 
   /// Joins the pieces that couplers tie together: they are numbered anew, in the order in which they were. `piece` is
@@ -54,6 +55,10 @@ class Couplers {
   std::vector<std::any> read(ArchiveReader* archive) const;
 
  private:
+  Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {
+    return {values.data() + first_[i], values.data() + first_[i + 1]};
+  }
+
   std::vector<Coupler*> list_;
   std::vector<char> takes_part_;    // in this step, of each coupler
   std::vector<std::size_t> first_;  // spring of each coupler; then how many there are

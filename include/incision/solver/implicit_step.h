@@ -106,6 +106,7 @@ class ImplicitStep : private StepEquations {
   /// Found only where it is wanted, as at first it is not.
   void wantClampWrenches(bool wanted) { wants_clamp_wrenches_ = wanted; }
   const std::vector<Wrench>& clampWrenches() const { return clamp_wrenches_; }
+  const Loads& loads() const { return loads_; }
   /// The clamp of each copy, or −1: it is free.
   const std::vector<int>& held() const { return held_; }
   /// The piece of each copy, and how many there are.

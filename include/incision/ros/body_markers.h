@@ -1,0 +1,34 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "incision/surface/surface.h"
+
+namespace incision {
+
+/// What the colours of a body's markers tell.
+enum class MarkerField { NONE, REGION, STRESS };
+
+/// What is drawn of a body.
+struct BodyView {
+  const Surface* surface;
+  std::vector<Vec3> x;               ///< of the surface's vertices [m]
+  MarkerField field = MarkerField::NONE;
+  int num_regions = 1;
+  std::vector<int> regions;          ///< of every triangle, where the field is REGION
+  std::vector<double> von_mises;     ///< of every triangle [Pa], where it is STRESS
+  std::vector<Vec3> held;            ///< where what clamps hold is [m]
+  std::vector<std::pair<Vec3, Vec3>> loads;  ///< where loads act [m], and their forces [N]
+  double element_size = 1;           ///< the mean [m]
+};
+
+/// The surface as lists of triangles, the skin and the cut faces, of the same points as long as the topology does not
+/// change; with the regions as colours, such a pair for each of them. Only stress has a colour for each point: rviz
+/// does not light those. What clamps hold are spheres, forces of loads are lines that end where they act. A marker with
+/// nothing in it is deleted.
+visualization_msgs::MarkerArray toMarkers(const BodyView& view, const std::string& frame, const ros::Time& stamp);
+
+}  // namespace incision

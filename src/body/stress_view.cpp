@@ -1,0 +1,40 @@
+#include "incision/body/stress_view.h"
+
+#include <algorithm>
+
+namespace incision {
+
+StressView::StressView(const DeformableBody& body)
+    : mesh_(body.mesh()),
+      materials_(mesh_.mesh(), body.scene().body.material, body.scene().body.regions),
+      assembly_(mesh_, materials_, body.scene().body.mass, body.scene().body.pressure, body.scene().body.warping, 1) {
+  assembly_.topologyChanged(body.positions());
+}
+
+std::vector<double> StressView::vonMises(const std::vector<Vec3>& x) {
+  std::vector<Mat3> stresses;
+  assembly_.stresses(x, &stresses);
+  std::vector<double> result;
+  result.reserve(stresses.size());
+  for (const Mat3& stress : stresses) result.push_back(incision::vonMises(stress));
+  assembly_.rotate(x);  // the next guess
+  return result;
+}
+
+std::vector<RegionStress> StressView::ofRegions(const std::vector<double>& of_parts) const {
+  const Regions& regions = materials_.regions();
+  std::vector<RegionStress> stress(regions.count());
+  std::vector<double> volume(regions.count(), 0);
+  for (std::size_t p = 0; p < of_parts.size(); ++p) {
+    const int r = regions.of(mesh_.parts()[p].element);
+    const double V = assembly_.volume(static_cast<int>(p));
+    volume[r] += V;
+    stress[r].mean += V * of_parts[p];
+    stress[r].largest = std::max(stress[r].largest, of_parts[p]);
+  }
+  for (std::size_t r = 0; r < stress.size(); ++r)
+    if (volume[r] > 0) stress[r].mean /= volume[r];
+  return stress;
+}
+
+}  // namespace incision

@@ -1,0 +1,105 @@
+#include "incision/ros/body_markers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "incision/ros/conversions.h"
+#include "plain_marker.h"
+
+namespace incision {
+namespace {
+
+using visualization_msgs::Marker;
+
+/// Of what is held and of loads as they are drawn, in elements: the diameter of spheres, the width of lines and the
+/// length of that of the largest force.
+constexpr double SPHERE = 0.3, WIDTH = 0.06, LONGEST = 2;
+
+/// The colours of stress go up to what this share of the triangles does not pass: the peaks at clamps and crack tips
+/// grow with the mesh, and would leave everything else in one colour.
+constexpr double SHOWN_SHARE = 0.98;
+
+/// A hue for each region, apart from those beside it in the list; the body's own is that of plain markers.
+std_msgs::ColorRGBA colourOf(int region, bool is_cut) {
+  static const std::array<std_msgs::ColorRGBA, 6> SKIN = {colour(0.78F, 0.35F, 0.32F), colour(0.90F, 0.78F, 0.36F),
+                                                          colour(0.36F, 0.60F, 0.80F), colour(0.45F, 0.70F, 0.40F),
+                                                          colour(0.60F, 0.42F, 0.70F), colour(0.60F, 0.60F, 0.62F)};
+  std_msgs::ColorRGBA c = SKIN[static_cast<std::size_t>(region) % SKIN.size()];
+  if (!is_cut) return c;
+  for (float* value : {&c.r, &c.g, &c.b}) *value += 0.5F * (1 - *value);  // lighter
+  return c;
+}
+
+/// From blue by white to red.
+std_msgs::ColorRGBA colourOf(double share) {
+  const auto s = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  return s < 0.5F ? colour(0.2F + 1.5F * s, 0.35F + 1.2F * s, 0.75F + 0.4F * s)
+                  : colour(0.95F, 0.95F - 1.5F * (s - 0.5F), 0.95F - 1.6F * (s - 0.5F));
+}
+
+double shownStress(std::vector<double> stress) {
+  if (stress.empty()) return 1;
+  const auto at = stress.begin() + static_cast<std::ptrdiff_t>(SHOWN_SHARE * static_cast<double>(stress.size() - 1));
+  std::nth_element(stress.begin(), at, stress.end());
+  return *at > 0 ? *at : 1;
+}
+
+/// The lists of triangles, empty: of each region the skin and the cut faces.
+std::vector<Marker> lists(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
+  if (view.field != MarkerField::REGION)
+    return {markerOf(Marker::TRIANGLE_LIST, "skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
+            markerOf(Marker::TRIANGLE_LIST, "cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
+  std::vector<Marker> markers;
+  for (int region = 0; region < view.num_regions; ++region)
+    for (const bool is_cut : {false, true})
+      markers.push_back(markerOf(Marker::TRIANGLE_LIST, is_cut ? "cut faces" : "skin",
+                                 static_cast<int>(markers.size()), colourOf(region, is_cut), frame, stamp));
+  return markers;
+}
+
+void addTriangles(const BodyView& view, std::vector<Marker>* markers) {
+  const double shown = view.field == MarkerField::STRESS ? shownStress(view.von_mises) : 1;
+  for (std::size_t t = 0; t < view.surface->triangles.size(); ++t) {
+    const int region = view.field == MarkerField::REGION ? view.regions[t] : 0;
+    Marker& marker = (*markers)[static_cast<std::size_t>(2 * region + (view.surface->cut_face[t] ? 1 : 0))];
+    for (const int vertex : view.surface->triangles[t]) {
+      marker.points.push_back(toPoint(view.x[static_cast<std::size_t>(vertex)]));
+      if (view.field == MarkerField::STRESS) marker.colors.push_back(colourOf(view.von_mises[t] / shown));
+    }
+  }
+}
+
+Marker spheres(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
+  Marker marker = markerOf(Marker::SPHERE_LIST, "clamps", 0, colour(0.25F, 0.27F, 0.30F), frame, stamp);
+  marker.scale = toVector3(SPHERE * view.element_size * Vec3::Ones());
+  for (const Vec3& x : view.held) marker.points.push_back(toPoint(x));
+  return marker;
+}
+
+Marker lines(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
+  Marker marker = markerOf(Marker::LINE_LIST, "loads", 0, colour(0.15F, 0.55F, 0.25F), frame, stamp);
+  marker.scale.x = WIDTH * view.element_size;
+  double largest = 0;
+  for (const auto& [x, force] : view.loads) largest = std::max(largest, force.norm());
+  for (const auto& [x, force] : view.loads) {
+    marker.points.push_back(toPoint(x - LONGEST * view.element_size / largest * force));
+    marker.points.push_back(toPoint(x));
+  }
+  return marker;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray toMarkers(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
+  visualization_msgs::MarkerArray array;
+  array.markers = lists(view, frame, stamp);
+  addTriangles(view, &array.markers);
+  array.markers.push_back(spheres(view, frame, stamp));
+  array.markers.push_back(lines(view, frame, stamp));
+  // rviz calls a list without points an error.
+  for (Marker& marker : array.markers) marker.action = marker.points.empty() ? Marker::DELETE : Marker::ADD;
+  return array;
+}
+
+}  // namespace incision
