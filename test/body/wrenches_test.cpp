@@ -131,7 +131,23 @@ TEST(Wrenches, AtRestBearTheWeight) {
   EXPECT_LT(ground.force.z(), 0.3 * weight.z());
 }
 
-TEST(Wrenches, AreAboutTheOriginOfTheFrameOrOfTheLink) {
+// A box that stands under the block, its link off the block's middle and turned.
+TEST(Wrenches, OfAnObstacleAreAboutItsLinksOrigin) {
+  Scene scene = blockAbove(-1, {4, 2, 2}, Vec3::Zero());
+  scene.body.material.mass_damping = 5;
+  DeformableBody body = bodyAmong(scene, urdfOf("<box size='2 2 0.2'/>"));
+  const Pose link = {Vec3(0.3, 0.2, -0.1), Eigen::Quaterniond(0.8, 0, 0, 0.6)};
+  body.placeObstacle(0, link);
+  body.wantWrenches(true);
+  run(&body, 400);
+  const Vec3 weight = body.motion().mass * scene.gravity, lever = centreOfMass(body) - link.position;
+  const Wrench& wrench = body.wrenches().obstacles[0];
+  EXPECT_LT((wrench.force - weight).norm(), 1e-6 * weight.norm());
+  EXPECT_LT((wrench.torque - lever.cross(weight)).norm(), 1e-4 * lever.cross(weight).norm());
+  EXPECT_EQ(body.wrenches().ground.force, Vec3::Zero());
+}
+
+TEST(Wrenches, OfAClampAreAboutTheOriginOfItsFrame) {
   Scene fixed = swingingSoftBar(), posed = fixed;
   posed.boundary[0].frame = "hand";
   DeformableBody one(fixed, loadMesh(fixed)), other(posed, loadMesh(posed));

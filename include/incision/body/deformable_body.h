@@ -128,8 +128,9 @@ class DeformableBody {
 
   /// Clamps, by their index in the scene's `boundary`. The frame of one moves evenly to `pose` in the body's frame
   /// during the next step, and stays there; or it is put there at once, and the nodes with it. The first pose since the
-  /// construction or a reset only tells where the frame is: the nodes then go rigidly with it. Throws std::out_of_range
-  /// for a clamp that there is not, or that has neither frame nor poses.
+  /// construction or a reset only tells where the frame is: the nodes then go rigidly with it. Where the scene has
+  /// poses of the clamp, steps follow these from the first of them on. Throws std::out_of_range for a clamp that there
+  /// is not, or that has neither frame nor poses.
   void moveClamp(int clamp, const Pose& pose);
   void placeClamp(int clamp, const Pose& pose);
 

@@ -31,15 +31,16 @@ struct Scene {
   std::optional<ToolSettings> tool;
 };
 
-/// Reads a scene and checks every value; files that it names are still to be read. `source` is the file or parameter errors name; relative paths in the scene are
-/// taken from `folder`. Throws InputError with source, key, value and what is allowed.
+/// Reads a scene and checks every value; files that it names are still to be read. `source` is the file or parameter
+/// errors name; relative paths in the scene are taken from `folder`. Throws InputError with source, key, value and what
+/// is allowed.
 Scene parseScene(const YAML::Node& root, const std::string& source, const std::string& folder);
 
 /// Reads the files of poses that a scene names. Throws InputError.
 void loadPoses(Scene* scene);
 
-/// Reads a scene file, and the files of poses that it names; each override "solver.time_step=0.005" or "cuts.0.normal=[1,0,0]" replaces or adds one value
-/// first, and the maps on the way to it. Throws InputError.
+/// Reads a scene file, and the files of poses that it names; each override "solver.time_step=0.005" or
+/// "cuts.0.normal=[1,0,0]" replaces or adds one value first, and the maps on the way to it. Throws InputError.
 Scene loadScene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The scene's mesh files or grid. What reading had to mend is added to `notes`, each a sentence.
