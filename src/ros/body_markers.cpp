@@ -53,8 +53,8 @@ std::vector<Marker> lists(const BodyView& view, const std::string& frame, const 
   std::vector<Marker> markers;
   for (int region = 0; region < view.num_regions; ++region)
     for (const bool is_cut : {false, true})
-      markers.push_back(markerOf(Marker::TRIANGLE_LIST, is_cut ? "cut faces" : "skin",
-                                 static_cast<int>(markers.size()), colourOf(region, is_cut), frame, stamp));
+      markers.push_back(markerOf(Marker::TRIANGLE_LIST, is_cut ? "cut faces" : "skin", static_cast<int>(markers.size()),
+                                 colourOf(region, is_cut), frame, stamp));
   return markers;
 }
 

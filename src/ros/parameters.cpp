@@ -37,8 +37,8 @@ Scene loadSceneParameter(const ros::NodeHandle& node, const std::string& folder)
 
 NodeSettings loadSettings(const ros::NodeHandle& node) {
   const YamlMap parameters =
-      privateParameters(node, {"scene", "scene_folder", "tool_description", "obstacle_description", "marker_rate", "marker_field",
-                               "transform_timeout", "max_lag"});
+      privateParameters(node, {"scene", "scene_folder", "tool_description", "obstacle_description", "marker_rate",
+                               "marker_field", "transform_timeout", "max_lag"});
   NodeSettings settings;
   settings.scene = loadSceneParameter(node, sceneFolder(parameters));
   settings.tools = toolsOf(settings.scene);

@@ -66,8 +66,8 @@ struct StepResult {
 struct BodyWrenches {
   std::vector<Wrench> clamps;  ///< of each entry of `boundary`, about its frame's origin when the step started; about
                                ///< the origin of the body's frame where it has none or nothing is known of it
-  std::vector<Wrench> obstacles;  ///< of each link of the obstacles, about the link's origin when the step started
-  Wrench ground;                  ///< about the origin of the body's frame
+  std::vector<Wrench> obstacles;     ///< of each link of the obstacles, about the link's origin when the step started
+  Wrench ground;                     ///< about the origin of the body's frame
   std::vector<ContactPoint> points;  ///< what pressed on the body, in the last part of the step where it was divided
 };
 
@@ -167,8 +167,8 @@ class DeformableBody {
   BodyCounts counts() const;
   const RestBox& bounds() const;  ///< of the uncut body at rest, [m]
   BodyMotion motion() const;
-  std::vector<int> heldCopies() const;          ///< those that clamps hold
-  std::vector<Vec3> loadForces() const;         ///< of the loads on every copy, now [N]
+  std::vector<int> heldCopies() const;        ///< those that clamps hold
+  std::vector<Vec3> loadForces() const;       ///< of the loads on every copy, now [N]
   std::vector<double> pieceVolumes() const;   ///< rest volumes [m³], ascending
   std::vector<double> regionVolumes() const;  ///< rest volume of each region [m³]
   std::vector<Mat3> partStress() const;       ///< Cauchy stress [Pa] of every part, in the body's frame

@@ -15,14 +15,14 @@ enum class MarkerField { NONE, REGION, STRESS };
 /// What is drawn of a body.
 struct BodyView {
   const Surface* surface;
-  std::vector<Vec3> x;               ///< of the surface's vertices [m]
+  std::vector<Vec3> x;  ///< of the surface's vertices [m]
   MarkerField field = MarkerField::NONE;
   int num_regions = 1;
-  std::vector<int> regions;          ///< of every triangle, where the field is REGION
-  std::vector<double> von_mises;     ///< of every triangle [Pa], where it is STRESS
-  std::vector<Vec3> held;            ///< where what clamps hold is [m]
+  std::vector<int> regions;                  ///< of every triangle, where the field is REGION
+  std::vector<double> von_mises;             ///< of every triangle [Pa], where it is STRESS
+  std::vector<Vec3> held;                    ///< where what clamps hold is [m]
   std::vector<std::pair<Vec3, Vec3>> loads;  ///< where loads act [m], and their forces [N]
-  double element_size = 1;           ///< the mean [m]
+  double element_size = 1;                   ///< the mean [m]
 };
 
 /// The surface as lists of triangles, the skin and the cut faces, of the same points as long as the topology does not

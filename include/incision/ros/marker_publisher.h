@@ -30,8 +30,8 @@ class MarkerPublisher {
 
   /// Hands over the body's surface, where the obstacles' `links` and the tools are, and what the last step has told,
   /// when it is time and somebody listens. With `wants_stress` also what it takes to find the stress of regions.
-  void offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step,
-             bool wants_stress, SteadyTime now);
+  void offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step, bool wants_stress,
+             SteadyTime now);
   /// When to offer again.
   SteadyTime nextOffer() const { return next_; }
 
@@ -53,8 +53,8 @@ class MarkerPublisher {
     explicit Topology(const DeformableBody& body);
     const Surface surface;
     StressView stress;
-    const std::vector<int> held;     // copies
-    std::vector<int> regions;        // of each triangle
+    const std::vector<int> held;  // copies
+    std::vector<int> regions;     // of each triangle
   };
   /// What somebody listens to, and nothing else.
   struct Snapshot {

@@ -12,10 +12,10 @@ namespace incision {
 
 /// The node's private parameters.
 struct NodeSettings {
-  Scene scene;                   ///< ~scene, whose relative paths are taken from ~scene_folder
-  std::vector<ToolEntry> tools;  ///< of the scene
-  Descriptions descriptions;     ///< ~tool_description, ~obstacle_description
-  double marker_rate = 15;       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
+  Scene scene;                                   ///< ~scene, whose relative paths are taken from ~scene_folder
+  std::vector<ToolEntry> tools;                  ///< of the scene
+  Descriptions descriptions;                     ///< ~tool_description, ~obstacle_description
+  double marker_rate = 15;                       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
   MarkerField marker_field = MarkerField::NONE;  ///< ~marker_field: what the colours of ~markers tell
   double transform_timeout = 1;  ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
   double max_lag = 5;            ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for
