@@ -48,13 +48,13 @@ double shownStress(std::vector<double> stress) {
 /// The lists of triangles, empty: of each region the skin and the cut faces.
 std::vector<Marker> lists(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
   if (view.field != MarkerField::REGION)
-    return {markerOf(Marker::TRIANGLE_LIST, "skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
-            markerOf(Marker::TRIANGLE_LIST, "cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
+    return {plainMarker(Marker::TRIANGLE_LIST, "skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
+            plainMarker(Marker::TRIANGLE_LIST, "cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
   std::vector<Marker> markers;
   for (int region = 0; region < view.num_regions; ++region)
     for (const bool is_cut : {false, true})
-      markers.push_back(markerOf(Marker::TRIANGLE_LIST, is_cut ? "cut faces" : "skin", static_cast<int>(markers.size()),
-                                 colourOf(region, is_cut), frame, stamp));
+      markers.push_back(plainMarker(Marker::TRIANGLE_LIST, is_cut ? "cut faces" : "skin",
+                                    static_cast<int>(markers.size()), colourOf(region, is_cut), frame, stamp));
   return markers;
 }
 
@@ -71,14 +71,14 @@ void addTriangles(const BodyView& view, std::vector<Marker>* markers) {
 }
 
 Marker spheres(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
-  Marker marker = markerOf(Marker::SPHERE_LIST, "clamps", 0, colour(0.25F, 0.27F, 0.30F), frame, stamp);
+  Marker marker = plainMarker(Marker::SPHERE_LIST, "clamps", 0, colour(0.25F, 0.27F, 0.30F), frame, stamp);
   marker.scale = toVector3(SPHERE * view.element_size * Vec3::Ones());
   for (const Vec3& x : view.held) marker.points.push_back(toPoint(x));
   return marker;
 }
 
 Marker lines(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
-  Marker marker = markerOf(Marker::LINE_LIST, "loads", 0, colour(0.15F, 0.55F, 0.25F), frame, stamp);
+  Marker marker = plainMarker(Marker::LINE_LIST, "loads", 0, colour(0.15F, 0.55F, 0.25F), frame, stamp);
   marker.scale.x = WIDTH * view.element_size;
   double largest = 0;
   for (const auto& [x, force] : view.loads) largest = std::max(largest, force.norm());

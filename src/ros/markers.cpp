@@ -26,7 +26,7 @@ int typeOf(Drawing::Primitive primitive) {
 Marker markerOf(const Solid& solid, const Pose& pose, const std::string& what, int id,
                 const std_msgs::ColorRGBA& colour, const std::string& frame, const ros::Time& stamp) {
   const Drawing drawing = solid.drawing();
-  Marker marker = markerOf(typeOf(drawing.primitive), what, id, colour, frame, stamp);
+  Marker marker = plainMarker(typeOf(drawing.primitive), what, id, colour, frame, stamp);
   marker.pose = toPoseMessage(pose);
   marker.scale = toVector3(drawing.size);
   if (drawing.primitive != Drawing::Primitive::HALF_SPACE) return marker;
@@ -57,12 +57,12 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& shapes, const Edge& e
                                           const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
   if (!view.pose) {
-    array.markers = {markerOf(Marker::CUBE, "", 0, colour(0, 0, 0), frame, stamp)};
+    array.markers = {plainMarker(Marker::CUBE, "", 0, colour(0, 0, 0), frame, stamp)};
     array.markers[0].action = Marker::DELETEALL;
     return array;
   }
-  array.markers = {markerOf(Marker::LINE_LIST, "edge", 0, colour(0.10F, 0.10F, 0.12F), frame, stamp),
-                   markerOf(Marker::ARROW, "force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp)};
+  array.markers = {plainMarker(Marker::LINE_LIST, "edge", 0, colour(0.10F, 0.10F, 0.12F), frame, stamp),
+                   plainMarker(Marker::ARROW, "force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp)};
   array.markers[0].scale.x = EDGE_WIDTH;
   for (const Vec3& end : placed(edge, *view.pose)) array.markers[0].points.push_back(toPoint(end));
   const Vec3 head = view.pose->position + FORCE_SCALE * (view.pose->orientation * view.force);

@@ -13,8 +13,9 @@ inline std_msgs::ColorRGBA colour(float r, float g, float b) {
 }
 
 /// A marker without points, at the frame's origin.
-inline visualization_msgs::Marker markerOf(int type, const std::string& what, int id, const std_msgs::ColorRGBA& colour,
-                                           const std::string& frame, const ros::Time& stamp) {
+inline visualization_msgs::Marker plainMarker(int type, const std::string& what, int id,
+                                              const std_msgs::ColorRGBA& colour, const std::string& frame,
+                                              const ros::Time& stamp) {
   visualization_msgs::Marker marker;
   marker.header.frame_id = frame;
   marker.header.stamp = stamp;
