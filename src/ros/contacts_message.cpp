@@ -34,7 +34,7 @@ Contacts toContacts(const BodyWrenches& wrenches, const ContactNames& names) {
     message.normals.push_back(toVector3(point.normal));
     message.forces.push_back(toVector3(point.force));
     message.depths.push_back(point.depth);
-    message.with.push_back(nameOf(point, names));
+    message.partners.push_back(nameOf(point, names));
   }
   const auto add = [&](const std::string& name, const Wrench& wrench) {
     geometry_msgs::Wrench felt;

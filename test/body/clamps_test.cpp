@@ -165,11 +165,8 @@ TEST(PosedClampsInHalves, GoHalfOfTheWayInEach) {
 }
 
 TEST(PosedClamps, StandStillUntilTheSecondPose) {
-  const Scene scene = [] {
-    Scene scene = swungBar();
-    scene.gravity.setZero();
-    return scene;
-  }();
+  Scene scene = swungBar();
+  scene.gravity.setZero();
   DeformableBody body(scene, loadMesh(scene));
   run(&body, 3);
   body.moveClamp(0, turningFrame(0.7));
@@ -190,7 +187,9 @@ TEST(PosedClamps, PutElsewhereAreThereAtOnceAndAtRest) {
   body.step();
   EXPECT_LT(miss(body, turningFrame(0), turningFrame(0.5)), EXACT);
   for (int c = 0; c < body.mesh().numCopies(); ++c)
-    if (body.mesh().mesh().nodes[body.mesh().copyNode(c)].x() < 1e-6) EXPECT_LT(body.velocities()[c].norm(), 1e-11);
+    if (body.mesh().mesh().nodes[body.mesh().copyNode(c)].x() < 1e-6) {
+      EXPECT_LT(body.velocities()[c].norm(), 1e-11);
+    }
 }
 
 TEST(PosedClamps, BeginAnewAfterAReset) {
@@ -254,11 +253,8 @@ TEST(PosedClamps, ThatAreNotThereAreRefused) {
 
 // A loose piece beside clamps is held only between those that move as one.
 TEST(PosedClamps, HoldWhatLiesBetweenThoseOfOneFrame) {
-  const CutMesh mesh = [] {
-    CutMesh mesh(gridMesh({{1, 1, 1}, Vec3::Ones(), Vec3::Zero()}));
-    mesh.insert(planeField(plane(Vec3(0, 0.5, 0), Vec3(0, 1, 0.2)), mesh, mesh.mesh().nodes));
-    return mesh;
-  }();
+  CutMesh mesh(gridMesh({{1, 1, 1}, Vec3::Ones(), Vec3::Zero()}));
+  mesh.insert(planeField(plane(Vec3(0, 0.5, 0), Vec3(0, 1, 0.2)), mesh, mesh.mesh().nodes));
   Clamp low = posedLeftEnd(), high = low;
   low.place.box.max = Vec3(1e-6, 2, 0.5);
   high.place.box.min.z() = 0.5;

@@ -180,5 +180,44 @@ TEST(Wrenches, AreFoundOnlyWhereTheyAreWantedAndChangeNothing) {
   EXPECT_EQ(asked.wrenches().clamps[0].force, Vec3::Zero());
 }
 
+TEST(ContactPoints, TellWhereTheGroundBearsTheBody) {
+  Scene scene = blockAbove(0, {3, 3, 3}, Vec3::Zero());
+  scene.contact->friction = 0;
+  DeformableBody body(scene, loadMesh(scene));
+  body.wantWrenches(true);
+  run(&body, 200);
+  const BodyWrenches& wrenches = body.wrenches();
+  EXPECT_EQ(wrenches.points.size(), 16u);
+  Vec3 sum = Vec3::Zero();
+  double deepest = 0;
+  for (const ContactPoint& point : wrenches.points) {
+    EXPECT_EQ(point.normal, Vec3::UnitZ());
+    EXPECT_GT(point.force.z(), 0);
+    EXPECT_NEAR(point.point.z(), -point.depth, 1e-12);
+    EXPECT_GE(point.partner, 0);
+    EXPECT_EQ(point.tool, -1);
+    sum += point.force;
+    deepest = std::max(deepest, point.depth);
+  }
+  EXPECT_LT((sum + wrenches.ground.force).norm(), EXACT * sum.norm());
+  EXPECT_GT(deepest, 0);
+}
+
+TEST(ContactPoints, LieOnThePieceThatIsPressed) {
+  Scene scene = blockAbove(0, {2, 2, 4}, Vec3::Zero());
+  scene.cuts = {{0, plane(Vec3(0.05, 0.05, 0.11), Vec3::UnitZ())}};
+  DeformableBody body(scene, loadMesh(scene));
+  body.wantWrenches(true);
+  run(&body, 300);
+  double upwards = 0;
+  for (const ContactPoint& point : body.wrenches().points) {
+    if (point.partner >= 0) continue;
+    EXPECT_NEAR(point.point.z(), 0.11, 0.02);
+    upwards += std::abs(point.force.z());
+  }
+  // The weight of the upper piece: each point is pressed by what it lies on or by what lies on it.
+  EXPECT_NEAR(upwards, 0.1 * 0.1 * 0.09 * 1000 * 9.81, 0.01 * 0.883 * 9.81);
+}
+
 }  // namespace
 }  // namespace incision::test

@@ -20,6 +20,7 @@ BAD = {
     "scene_folder: package no_such_package not found": {'scene_folder': 'package://no_such_package/scenes'},
     "speed: unknown key": {'speed': 1},
     "marker_rate: '1001' (allowed: 0 to 1000)": {'marker_rate': 1001},
+    "marker_field: 'pressure' (allowed: none, region, stress)": {'marker_field': 'pressure'},
     "transform_timeout: 'soon' (allowed: 0 to 60)": {'transform_timeout': 'soon'},
     "max_lag: '0.5' (allowed: 1 to 1e+06)": {'max_lag': 0.5},
 }

@@ -14,8 +14,12 @@ from visualization_msgs.msg import Marker, MarkerArray
 VOLUME = 1 * 0.25 * 0.25  # [m3] of the bar
 
 
+def surface(array):
+    return [marker for marker in array.markers if marker.type == Marker.TRIANGLE_LIST]
+
+
 def triangles(array):
-    points = [(p.x, p.y, p.z) for marker in array.markers for p in marker.points]
+    points = [(p.x, p.y, p.z) for marker in surface(array) for p in marker.points]
     return list(zip(points[0::3], points[1::3], points[2::3]))
 
 
@@ -56,21 +60,25 @@ class Markers(unittest.TestCase):
         self.assertEqual({0}, set(edge_balance(faces).values()))
         for marker in array.markers:
             self.assertEqual('body', marker.header.frame_id)
-            self.assertEqual(Marker.TRIANGLE_LIST, marker.type)
             self.assertFalse(marker.colors)
 
     def test_the_uncut_body_is_all_skin(self):
         array = self.next_array()
         self.check_surface(array)
-        self.assertEqual([Marker.ADD, Marker.DELETE], [marker.action for marker in array.markers])
+        self.assertEqual([Marker.ADD, Marker.DELETE], [marker.action for marker in surface(array)])
 
     def test_the_cut_body_is_closed_by_cut_faces(self):
         ids = [(marker.ns, marker.id) for marker in self.next_array().markers]
         self.client.cut(point=(0.51, 0, 0), normal=(1, 0.3, 0.1))
         array = self.next_array()
         self.check_surface(array)
-        self.assertEqual([Marker.ADD, Marker.ADD], [marker.action for marker in array.markers])
+        self.assertEqual([Marker.ADD, Marker.ADD], [marker.action for marker in surface(array)])
         self.assertEqual(ids, [(marker.ns, marker.id) for marker in array.markers])
+
+    def test_what_is_held_stands_as_spheres(self):
+        clamps = next(marker for marker in self.next_array().markers if marker.ns == 'clamps')
+        self.assertEqual((Marker.SPHERE_LIST, Marker.ADD), (clamps.type, clamps.action))
+        self.assertEqual({0.0}, {point.x for point in clamps.points})
 
     def test_a_reset_takes_the_cut_faces_away(self):
         self.client.cut(point=(0.51, 0, 0))
