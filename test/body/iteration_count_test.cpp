@@ -77,5 +77,20 @@ TEST_F(IterationCount, OfTheOrganKeepsItsBounds) {
   EXPECT_LE(totalIterations(cutMidway(organ(), ORGAN_CUT)), 1870);  // counted: 1670
 }
 
+// Halves, a soft core, a soft layer under a stiff one, and a soft slice, each ten thousand times softer than the rest.
+TEST_F(IterationCount, OfNeighboursThatDifferMuchIsAtMostTwiceThatOfTheStifferAlone) {
+  const int alone = totalIterations(swingingBar(SMALL, 1e6));
+  for (const auto& [min, max] : {std::pair{Vec3(0.5, -1, -1), Vec3(2, 2, 2)},
+                                 {Vec3(0.3, 0.08, 0.08), Vec3(0.7, 0.17, 0.17)},
+                                 {Vec3(-1, -1, 0.125), Vec3(2, 2, 2)},
+                                 {Vec3(0.45, -1, -1), Vec3(0.55, 2, 2)}}) {
+    Scene scene = swingingBar(SMALL, 1e6);
+    scene.body.regions.resize(1);
+    scene.body.regions[0].place = {min, max};
+    scene.body.regions[0].young_modulus = 1e2;
+    EXPECT_LE(totalIterations(scene), 2 * alone) << min.transpose();  // counted: 0.7 to 1.2 times
+  }
+}
+
 }  // namespace
 }  // namespace incision::test

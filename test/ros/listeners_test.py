@@ -32,10 +32,11 @@ class Listeners(unittest.TestCase):
     def test_the_surface_has_normals_regions_and_stress(self):
         cloud = self.next_of(self.clouds, 'the surface')
         self.assertEqual('body', cloud.header.frame_id)
-        names = ('x', 'y', 'z', 'normal_x', 'normal_y', 'normal_z', 'region', 'cut', 'von_mises')
-        points = list(point_cloud2.read_points(cloud, names))
+        names = ['x', 'y', 'z', 'normal_x', 'normal_y', 'normal_z', 'von_mises', 'region', 'cut']
+        self.assertEqual(names, [field.name for field in cloud.fields])
+        points = list(point_cloud2.read_points(cloud))
         self.assertEqual(2 * 16 + 3 * 12, len(points))
-        for x, y, z, nx, ny, nz, region, cut, stress in points:
+        for x, y, z, nx, ny, nz, stress, region, cut in points:
             self.assertAlmostEqual(1, math.sqrt(nx * nx + ny * ny + nz * nz), places=5)
             outward = nx * (x - 0.075) + ny * (y - 0.075) + nz * (z - 0.1)
             self.assertLess(0, outward)
@@ -43,7 +44,7 @@ class Listeners(unittest.TestCase):
             self.assertLessEqual(0, stress)
             if z < 0.09 or z > 0.11:
                 self.assertEqual(int(z > 0.1), region)
-        self.assertLess(0, max(point[-1] for point in points))
+        self.assertLess(0, max(point[6] for point in points))
 
     def test_a_cut_is_told_on_the_surface(self):
         self.client.cut(point=(0.075, 0.075, 0.17), normal=(0, 0.1, 1))

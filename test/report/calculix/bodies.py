@@ -27,11 +27,18 @@ FACES = {'C3D4': (TRIANGLES, [1 / 3] * 3),
 @dataclasses.dataclass
 class Body:
     """Nodes [m] and elements of one of CalculiX's types, by nodes counted from 0; weights are shares of the material's
-    stiffness, by element, 1 where there are none."""
+    stiffness, by element, 1 where there are none; tissues say which of several materials an element is of, the first
+    where there are none."""
     nodes: np.ndarray
     elements: np.ndarray
     kind: str
     weights: np.ndarray = None
+    tissues: np.ndarray = None
+
+    def in_box(self, low, high):
+        """Whether the centroids of elements lie in a box."""
+        centroids = self.nodes[self.elements].mean(axis=1)
+        return ((centroids >= low) & (centroids <= high)).all(axis=1)
 
     def at(self, axis, place):
         """Nodes in a plane."""
@@ -86,7 +93,8 @@ def cut_through(body, place):
     upper, lower = above > 0, above < 4
     return Body(np.vstack([body.nodes, body.nodes]),
                 np.vstack([body.elements[lower], body.elements[upper] + len(body.nodes)]), body.kind,
-                np.concatenate([1 - share[lower], share[upper]]))
+                np.concatenate([1 - share[lower], share[upper]]),
+                None if body.tissues is None else np.concatenate([body.tissues[lower], body.tissues[upper]]))
 
 
 def quadratic(body):

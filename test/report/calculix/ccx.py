@@ -14,7 +14,7 @@ THREADS = '2'
 def run(body, young, poisson, held, forces=None, density=None, modes=0, moved=None):
     """A linear static solve under forces {(node, direction): N}, or the first natural frequencies.
 
-    held: {node: directions}; moved: {(node, direction): m}, how far some of these go. Returns a dict of `u` [m] by
+    young and poisson are numbers, or lists of the tissues'. held: {node: directions}; moved: {(node, direction): m}, how far some of these go. Returns a dict of `u` [m] by
     node and `energy` [J], or `frequencies` [Hz]; and `ms`.
     """
     with tempfile.TemporaryDirectory() as folder:
@@ -53,17 +53,19 @@ def deck_lines(body, young, poisson, held, forces, density, modes, moved):
 
 
 def element_lines(body, young, poisson, density):
-    """A set of elements, a material and a section for each weight."""
+    """A set of elements, a material and a section for each weight in each tissue."""
     weights = np.ones(len(body.elements)) if body.weights is None else body.weights
-    values = np.unique(weights)
-    for k, weight in enumerate(values):
+    tissues = np.zeros(len(body.elements), int) if body.tissues is None else body.tissues
+    values = sorted(set(zip(weights, tissues)))
+    young, poisson = np.atleast_1d(young), np.atleast_1d(poisson)
+    for k, (weight, tissue) in enumerate(values):
         yield f'*ELEMENT, TYPE={body.kind}, ELSET=E{k}'
-        for e in np.flatnonzero(weights == weight):
+        for e in np.flatnonzero((weights == weight) & (tissues == tissue)):
             numbers = [str(v) for v in (e + 1, *(body.elements[e] + 1))]
             yield ', '.join(numbers[:12]) + (',' if len(numbers) > 12 else '')
             if len(numbers) > 12:
                 yield ', '.join(numbers[12:])
-        yield from (f'*MATERIAL, NAME=M{k}', '*ELASTIC', f'{weight * young:.12e}, {poisson:.12e}')
+        yield from (f'*MATERIAL, NAME=M{k}', '*ELASTIC', f'{weight * young[tissue]:.12e}, {poisson[tissue]:.12e}')
         if density:
             yield from ('*DENSITY', f'{weight * density:.12e}')
         yield f'*SOLID SECTION, ELSET=E{k}, MATERIAL=M{k}'

@@ -11,7 +11,7 @@ class Calculix(unittest.TestCase):
         return abs(value / reference - 1)
 
     def test_linear_tetrahedra_move_as_in_calculix(self):
-        self.assertEqual(len(DATA['same']), 4)
+        self.assertEqual(len(DATA['same']), 8)
         for found in DATA['same']:
             self.assertLess(found['difference'], 1e-6, found['mesh'])
 

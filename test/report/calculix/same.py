@@ -19,8 +19,17 @@ CLAMP = [[-1, -1, -1], [1e-9, 1, 1]]
 END = [[L - 1e-9, -1, -1], [L + 1, 1, 1]]
 
 
-def scene(mesh, density, time_step, poisson=POISSON, mass='lumped', loaded=(END,), cuts=()):
-    return {'body': {**mesh, 'warping': False, 'mass': mass,
+# Another tissue in the bar's further half, across the cut: ten times as stiff, and less compressible.
+STIFF = {'box': [[0.45 * L, -1, -1], [2 * L, 1, 1]], 'young_modulus': 10 * E, 'poisson_ratio': 0.45}
+
+
+def regions():
+    material = {key: STIFF[key] for key in ('young_modulus', 'poisson_ratio')}
+    return [{'box': STIFF['box'], 'material': material}]
+
+
+def scene(mesh, density, time_step, poisson=POISSON, mass='lumped', loaded=(END,), cuts=(), tissues=()):
+    return {'body': {**mesh, 'regions': list(tissues), 'warping': False, 'mass': mass,
                      'material': {'young_modulus': E, 'poisson_ratio': poisson, 'density': density}},
             'boundary': [{'box': CLAMP}],
             'loads': [{'box': box, 'traction': [0, 0, STRESS]} for box in loaded],
@@ -43,38 +52,50 @@ def compare(folder, name, body, described, own, where=None):
     batch(folder, described, '--steps', '1', '--positions', folder / 'positions.txt')
     incision = np.loadtxt(folder / 'positions.txt') - body.nodes[own]
     forces = body.traction(0, L, (0, 0, STRESS), *([where] if where else []))
-    found = run(body, E, POISSON, clamp(body), forces)
+    found = run(body, (E, STIFF['young_modulus']), (POISSON, STIFF['poisson_ratio']), clamp(body), forces)
     calculix = found['u'][own]
     return {'mesh': name, 'elements': len(body.elements), 'freedoms': 3 * len(body.nodes), 'ms': found['ms'],
             'difference': np.linalg.norm(incision - calculix, axis=1).max() / np.linalg.norm(calculix, axis=1).max()}
 
 
 def same_displacements(folder, quick):
-    """Of a grid, of a Gmsh mesh, and of grids with a cut: along faces, and through elements."""
+    """Of a grid, of a Gmsh mesh, and of grids with a cut: along faces, and through elements; of one tissue, and of
+    two."""
+    return of_tissues(folder, quick, '', ()) + of_tissues(folder, quick, ', two tissues', regions())
+
+
+def of_tissues(folder, quick, suffix, tissues):
+    def with_tissues(body):
+        if tissues:
+            body.tissues = body.in_box(*STIFF['box']).astype(int)
+        return body
+
     n = 4 if quick else 8
     size, middle = (L, H, H), [0, 0, H / 2]
-    body = grid((5 * n, n, n), size)
+    body = with_tissues(grid((5 * n, n, n), size))
     every = np.arange(len(body.nodes))
     on_grid = {'grid': {'cells': [5 * n, n, n], 'size': size}}
-    found = [compare(folder, 'grid', body, scene(on_grid, 1e-9, 1), every)]
+    found = [compare(folder, 'grid' + suffix, body, scene(on_grid, 1e-9, 1, tissues=tissues), every)]
 
     own = every.copy()  # a node on the cut is the upper side's
     for below, above in body.slit(2, H / 2, lambda X: True).items():
         own[below] = above
-    found.append(compare(folder, 'grid, cut along faces', body, scene(on_grid, 1e-9, 1, cuts=[middle]), own))
+    found.append(compare(folder, 'grid, cut along faces' + suffix, body,
+                         scene(on_grid, 1e-9, 1, cuts=[middle], tissues=tissues), own))
 
     n += 1  # odd, so that the middle is inside elements; their end faces stay unloaded
-    whole = grid((5 * n, n, n), size)
+    whole = with_tissues(grid((5 * n, n, n), size))
     own = np.arange(len(whole.nodes)) + np.where(whole.nodes[:, 2] > H / 2, len(whole.nodes), 0)
     low, high = (n - 1) / 2 * H / n, (n + 1) / 2 * H / n
     boxes = [[[L - 1e-9, -1, -1], [L + 1, 1, low + 1e-9]], [[L - 1e-9, -1, high - 1e-9], [L + 1, 1, 1]]]
     on_grid = {'grid': {'cells': [5 * n, n, n], 'size': size}}
-    found.append(compare(folder, 'grid, cut through elements', cut_through(whole, H / 2),
-                         scene(on_grid, 1e-9, 1, loaded=boxes, cuts=[middle]), own,
+    found.append(compare(folder, 'grid, cut through elements' + suffix, cut_through(whole, H / 2),
+                         scene(on_grid, 1e-9, 1, loaded=boxes, cuts=[middle], tissues=tissues), own,
                          lambda centres: abs(centres[:, 2] - H / 2) > H / (2 * n)))
 
     body, path = gmsh(GEOMETRY, folder, cells=n)
-    found.append(compare(folder, 'Gmsh', body, scene({'mesh': str(path)}, 1e-9, 1), np.arange(len(body.nodes))))
+    found.append(compare(folder, 'Gmsh' + suffix, with_tissues(body),
+                         scene({'mesh': str(path)}, 1e-9, 1, tissues=tissues), np.arange(len(body.nodes))))
     return found
 
 
