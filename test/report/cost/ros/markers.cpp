@@ -56,7 +56,8 @@ int run(int argc, char** argv) {
     if (node.param("listens", false)) listener = std::make_unique<Listener>(node);
   };
   besides.in_step = [&](const DeformableBody& body) {
-    publisher->offer(body, {}, StepResult(), rate > 0 ? publisher->nextOffer() : std::chrono::steady_clock::now());
+    publisher->offer(body, {}, StepResult(), false,
+                     rate > 0 ? publisher->nextOffer() : std::chrono::steady_clock::now());
   };
   besides.between = [&](const DeformableBody&) {
     if (listener) listener->wait();
