@@ -6,6 +6,7 @@
 #include <ostream>
 #include <string>
 
+#include "incision/mesh/mesh_io.h"
 #include "support/blade.h"
 #include "support/random.h"
 
