@@ -206,12 +206,14 @@ TEST_F(Batch, RecordTellsWhatClampsAndObstaclesBear) {
 
 TEST_F(Batch, WhatIsHardlyMeantSoIsWarnedOf) {
   run({file("bar.yaml"), "--steps", "0"});
-  EXPECT_EQ(err_.str(), "");
+  EXPECT_EQ(err_.str().find("warning"), std::string::npos) << err_.str();
   ASSERT_EQ(run({file("bar.yaml"), "--steps", "0", "--set", "boundary.0.box=[[8, 8, 8], [9, 9, 9]]"}),
             BatchStatus::DONE);
-  EXPECT_EQ(err_.str(), "incision_batch: warning: " + file("bar.yaml") +
-                            ": boundary.0: box [[8, 8, 8], [9, 9, 9]] has no node of the mesh: it holds nothing\n"
-                            "incision_batch: warning: nothing holds the body, neither a clamp nor contact: it falls\n");
+  const std::string warnings =
+      "incision_batch: warning: " + file("bar.yaml") +
+      ": boundary.0: box [[8, 8, 8], [9, 9, 9]] has no node of the mesh: it holds nothing\n"
+      "incision_batch: warning: nothing holds the body, neither a clamp nor contact: it falls\n";
+  EXPECT_EQ(err_.str().substr(0, warnings.size()), warnings);
 }
 
 TEST_F(Batch, ClampsFollowThePosesOfAFile) {
