@@ -49,6 +49,18 @@ std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body) {
   return quantities;
 }
 
+std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, const StepResult& last_step) {
+  std::vector<Quantity> quantities;
+  for (std::size_t i = 0; i < body.tools(); ++i) {
+    const ToolReport report = i < last_step.tools.size() ? last_step.tools[i] : ToolReport();
+    quantities.push_back({"tool_force", report.force});
+    quantities.push_back({"tool_torque", report.torque});
+    quantities.push_back({"tool_depth", report.depth});
+    quantities.push_back({"tool_stroke_area", report.stroke_area});
+  }
+  return quantities;
+}
+
 std::string describe(const DeformableBody& body) {
   const BodyCounts counts = body.counts();
   const auto& [low, high] = body.bounds();

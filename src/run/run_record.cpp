@@ -25,6 +25,7 @@ void forEachColumn(const std::vector<Quantity>& quantities, const Function& f) {
 std::vector<Quantity> recorded(const DeformableBody& body, const StepResult& step) {
   std::vector<Quantity> quantities = quantitiesOf(body, step);
   for (const Quantity& wrench : wrenchQuantitiesOf(body)) quantities.push_back(wrench);
+  for (const Quantity& of_tool : toolQuantitiesOf(body, step)) quantities.push_back(of_tool);
   return quantities;
 }
 

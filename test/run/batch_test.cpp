@@ -186,22 +186,63 @@ TEST_F(Batch, RecordHasOneRowAStep) {
   EXPECT_EQ(rows[4].substr(0, 2), "4,");
 }
 
+// The columns of a record, by their names.
+std::map<std::string, std::vector<double>> columnsOf(const std::vector<std::string>& rows) {
+  const auto cells = [](const std::string& row) {
+    std::vector<std::string> all;
+    std::istringstream in(row);
+    for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
+    return all;
+  };
+  const std::vector<std::string> names = cells(rows[0]);
+  std::map<std::string, std::vector<double>> columns;
+  for (std::size_t r = 1; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < names.size(); ++c) columns[names[c]].push_back(std::stod(cells(rows[r]).at(c)));
+  return columns;
+}
+
 TEST_F(Batch, RecordTellsWhatClampsAndObstaclesBear) {
   ASSERT_EQ(run({file("bar.yaml"), "--steps", "2", "--set", "contact.ground=-1", "--record", file("run.csv")}),
             BatchStatus::DONE)
       << err_.str();
-  const auto cells = [&](const std::string& line) {
-    std::vector<std::string> all;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
-    return all;
-  };
-  const std::vector<std::string> rows = lines("run.csv"), names = cells(rows[0]);
+  const auto columns = columnsOf(lines("run.csv"));
   for (const char* name : {"clamp_0_force_x", "clamp_0_torque_z", "ground_force_z"})
-    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
-  const auto at = std::find(names.begin(), names.end(), "clamp_0_force_z") - names.begin();
-  ASSERT_LT(static_cast<std::size_t>(at), names.size());
-  EXPECT_LT(std::stod(cells(rows[1])[static_cast<std::size_t>(at)]), -1);  // [N]: a part of the weight, 613 N
+    EXPECT_EQ(columns.count(name), 1u) << name;
+  EXPECT_LT(columns.at("clamp_0_force_z")[0], -1);  // [N]: a part of the weight, 613 N
+}
+
+// A blade goes down through the bar and cuts 0.25 m x 0.25 m against 40 N/m.
+TEST_F(Batch, RecordTellsWhatTheTissueDoesToTheTool) {
+  ASSERT_EQ(
+      run({file("bar.yaml"), "--steps", "30", "--set", "cuts=[]", "--set", "body.grid.cells=[4,4,4]", "--set",
+           "gravity=[0,0,0]", "--set",
+           "tool={edge: [[0, -1, 0], [0, 1, 0]], cutting_force: 40, friction: 0, poses: [[0, 0.6, 0, 0.5, 0, 0, 0, 1], "
+           "[0.3, 0.6, 0, -0.25, 0, 0, 0, 1]]}",
+           "--record", file("run.csv")}),
+      BatchStatus::DONE)
+      << err_.str();
+  const auto columns = columnsOf(lines("run.csv"));
+  for (const char* name : {"tool_force_x", "tool_force_y", "tool_torque_x", "tool_torque_y", "tool_torque_z"})
+    EXPECT_EQ(columns.count(name), 1u) << name;
+  const std::vector<double>&force = columns.at("tool_force_z"), &torque = columns.at("tool_torque_x"),
+        &depth = columns.at("tool_depth"), &area = columns.at("tool_stroke_area");
+  ASSERT_EQ(force.size(), 30u);
+  EXPECT_EQ(force.front(), 0);  // still above
+  EXPECT_EQ(depth.front(), 0);
+  const std::size_t at = std::max_element(force.begin(), force.end()) - force.begin();
+  const double station = 0.0625 / 16;  // of edge [m]: how exactly it is known at either end where it leaves the tissue
+  EXPECT_NEAR(force[at], 40 * 0.25, 40 * 2 * station);           // upwards
+  EXPECT_NEAR(torque[at], 0.125 * force[at], 40 * 2 * station);  // about the link's origin: the bar lies at y = 0.125
+  const double deepest = *std::max_element(depth.begin(), depth.end());
+  EXPECT_GT(deepest, 0.1);
+  EXPECT_LT(deepest, 0.125 + 1e-9);  // in the middle of the bar
+  EXPECT_EQ(force.back(), 0);        // it has come through
+  EXPECT_NEAR(area.back(), 0.0625, 1e-6);
+}
+
+TEST_F(Batch, RecordHasNoToolWhereTheSceneHasNone) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "1", "--record", file("run.csv")}), BatchStatus::DONE) << err_.str();
+  EXPECT_EQ(lines("run.csv")[0].find("tool"), std::string::npos) << lines("run.csv")[0];
 }
 
 TEST_F(Batch, WhatIsHardlyMeantSoIsWarnedOf) {
