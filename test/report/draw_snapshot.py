@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws what `incision_batch --snapshot` wrote, cut faces lighter, as a PNG. Several snapshots stand side by side, all
-drawn from one point of view and to one scale. Needs Debian's python3-matplotlib.
+"""Draws what `incision_batch --snapshot` wrote, cut faces lighter, as a PNG. Several snapshots stand side by side, drawn
+to one scale, from one point of view or each from its own. Needs Debian's python3-matplotlib.
 """
 
 import argparse
@@ -9,24 +9,29 @@ import xml.etree.ElementTree as ElementTree
 
 import matplotlib
 import numpy as np
+from PIL import Image
 
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 
 SKIN, CUT_FACE, OBSTACLE = (0.80, 0.36, 0.33), (0.95, 0.72, 0.55), (0.75, 0.77, 0.80)  # the first two as in rviz
+REGIONS = ((SKIN, CUT_FACE),  # skin and cut faces of the own material, then of each region: dark, light, blue, green
+           ((0.70, 0.30, 0.28), (0.62, 0.22, 0.22)), ((0.86, 0.80, 0.66), (0.94, 0.90, 0.80)),
+           ((0.45, 0.52, 0.70), (0.55, 0.62, 0.82)), ((0.50, 0.66, 0.52), (0.66, 0.80, 0.66)))
 DPI = 100
 LARGEST = (8, 3)            # width and height of the picture [inch]
 MARGIN = 0.02               # round each, as a share of its larger extent
 SPHERE_RINGS = 24
+BLADE_CELLS, BLADE_HEIGHT = (48, 4), 0.06   # along and across; height as a share of the edge
 
 
 def read_triangles(path):
-    """Corners [m] of every triangle, and which were made by a crack."""
+    """Corners [m] of every triangle, which were made by a crack, and the number of each one's region."""
     arrays = {array.get('Name'): np.array(array.text.split(), dtype=float)
               for array in ElementTree.parse(path).iter('DataArray')}
     points = arrays['Points'].reshape(-1, 3)
-    return points[arrays['connectivity'].astype(int).reshape(-1, 3)], arrays['cut_face'] > 0
+    return points[arrays['connectivity'].astype(int).reshape(-1, 3)], arrays['cut_face'] > 0, arrays['region'].astype(int)
 
 
 def sphere_triangles(x, y, z, radius):
@@ -37,6 +42,17 @@ def sphere_triangles(x, y, z, radius):
     a, b, c, d = points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
     triangles = np.concatenate([np.stack(corners, axis=2).reshape(-1, 3, 3) for corners in ((a, b, c), (a, c, d))])
     return np.array([x, y, z]) + radius * triangles
+
+
+def blade_triangles(ends):
+    """Corners [m] of both sides of a blade, in small triangles: a strip above its edge, which goes from end to end."""
+    start, end = np.reshape(ends, (2, 3))
+    along = np.linspace(0, 1, BLADE_CELLS[0] + 1)[:, None, None] * (end - start)
+    up = np.linspace(0, 1, BLADE_CELLS[1] + 1)[:, None] * [0, 0, BLADE_HEIGHT * np.linalg.norm(end - start)]
+    points = start + along + up
+    a, b, c, d = points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
+    triangles = np.concatenate([np.stack(corners, axis=2).reshape(-1, 3, 3) for corners in ((a, b, c), (a, c, d))])
+    return np.concatenate([triangles, triangles[:, ::-1]])
 
 
 def camera(elevation, azimuth):
@@ -62,37 +78,61 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('snapshots', nargs='+', metavar='SNAPSHOT.vtu')
     parser.add_argument('picture', metavar='PICTURE.png')
-    parser.add_argument('--view', nargs=2, type=float, default=(25, -65), metavar=('ELEVATION', 'AZIMUTH'),
-                        help='where the body is seen from [degrees], z upwards')
+    parser.add_argument('--view', nargs=2, type=float, action='append', metavar=('ELEVATION', 'AZIMUTH'),
+                        help='where the body is seen from [degrees], z upwards; given several times, of each snapshot '
+                        '(default: 25 -65)')
+    parser.add_argument('--regions', action='store_true', help='each region of the scene in colours of its own')
     parser.add_argument('--sphere', nargs=4, type=float, metavar=('X', 'Y', 'Z', 'RADIUS'),
                         help='also draws a sphere [m]')
+    parser.add_argument('--edge', nargs=6, type=float, action='append', metavar=('X', 'Y', 'Z', 'X', 'Y', 'Z'),
+                        help='also draws a blade that stands upright on its edge from end to end [m]; given several '
+                        'times, of each snapshot')
     return parser.parse_args()
+
+
+def seen_box(bodies):
+    """Lower and upper corner of what is seen of several bodies."""
+    points = np.concatenate([seen[:, :, :2].reshape(-1, 2) for seen in bodies])
+    return points.min(axis=0), points.max(axis=0)
+
+
+def of_each(values, count, option):
+    """The values of an option for each snapshot; one is for all."""
+    if len(values) not in (1, count):
+        raise SystemExit(f'draw_snapshot.py: {option}: give one, or one for each snapshot')
+    return values * count if len(values) == 1 else values
 
 
 def main():
     options = arguments()
-    view = camera(*options.view)
+    count = len(options.snapshots)
+    views = of_each([tuple(view) for view in options.view or [(25, -65)]], count, '--view')
+    edges = of_each(options.edge or [None], count, '--edge')
     bodies = []
-    for path in options.snapshots:
-        triangles, cut = read_triangles(path)
-        colours = np.where(cut[:, None], CUT_FACE, SKIN)
-        if options.sphere:
-            sphere = sphere_triangles(*options.sphere)
-            triangles, colours = np.concatenate([triangles, sphere]), np.vstack([colours, [OBSTACLE] * len(sphere)])
-        bodies.append((triangles @ view.T, colours))
-    lower = np.min([seen[:, :, :2].min(axis=(0, 1)) for seen, _ in bodies], axis=0)
-    upper = np.max([seen[:, :, :2].max(axis=(0, 1)) for seen, _ in bodies], axis=0)
-    margin = MARGIN * (upper - lower).max()
-    width, height = upper - lower + 2 * margin
-    size = np.array([len(bodies) * width, height])
-    figure, axes = plt.subplots(1, len(bodies), squeeze=False, figsize=size * (LARGEST / size).min())
+    for path, view, edge in zip(options.snapshots, views, edges):
+        triangles, cut, region = read_triangles(path)
+        palette = np.array(REGIONS)[region % len(REGIONS) if options.regions else 0 * region]
+        colours = np.where(cut[:, None], palette[:, 1], palette[:, 0])
+        for other in ([sphere_triangles(*options.sphere)] if options.sphere else []) + (
+                [blade_triangles(edge)] if edge else []):
+            triangles, colours = np.concatenate([triangles, other]), np.vstack([colours, [OBSTACLE] * len(other)])
+        bodies.append((triangles @ camera(*view).T, colours))
+    boxes = [seen_box(seen for (seen, _), other in zip(bodies, views) if other == view) for view in views]
+    extents = np.max([upper - lower for lower, upper in boxes], axis=0)
+    half = extents / 2 + MARGIN * extents.max()
+    size = 2 * half * [count, 1]
+    figure, axes = plt.subplots(1, count, squeeze=False, figsize=size * (LARGEST / size).min())
     figure.subplots_adjust(0, 0, 1, 1, 0, 0)
-    for panel, (seen, colours) in zip(axes[0], bodies):
+    for panel, (seen, colours), box in zip(axes[0], bodies, boxes):
         draw(panel, seen, colours)
-        panel.set_xlim(lower[0] - margin, upper[0] + margin)
-        panel.set_ylim(lower[1] - margin, upper[1] + margin)
+        (left, right), (bottom, top) = np.transpose([sum(box) / 2 - half, sum(box) / 2 + half])
+        panel.set_xlim(left, right)
+        panel.set_ylim(bottom, top)
         panel.set_aspect('equal')
     plt.savefig(options.picture, dpi=DPI)
+    with Image.open(options.picture) as picture:  # 256 colours show no difference, in less than half the bytes
+        few = picture.convert('RGB').quantize(256)
+    few.save(options.picture, optimize=True)
 
 
 if __name__ == '__main__':

@@ -103,7 +103,7 @@ TEST(SceneFile, MissingFilesAndFoldersAreRefused) {
 
 TEST(SceneFile, ShippedScenesLoad) {
   for (const char* name : {"demo", "bar", "movement_independence", "crossing_cuts", "animal", "slit_plane",
-                           "dropped_plate", "thrown_figure"}) {
+                           "dropped_plate", "thrown_figure", "liver"}) {
     const std::string address = std::string("package://incision/config/scenes/") + name + ".yaml";
     const Scene scene = loadScene(resolvePath(address, ""));
     EXPECT_GT(loadMesh(scene).elements.size(), 0u) << name;
