@@ -31,7 +31,8 @@ def read_triangles(path):
     arrays = {array.get('Name'): np.array(array.text.split(), dtype=float)
               for array in ElementTree.parse(path).iter('DataArray')}
     points = arrays['Points'].reshape(-1, 3)
-    return points[arrays['connectivity'].astype(int).reshape(-1, 3)], arrays['cut_face'] > 0, arrays['region'].astype(int)
+    triangles = points[arrays['connectivity'].astype(int).reshape(-1, 3)]
+    return triangles, arrays['cut_face'] > 0, arrays['region'].astype(int)
 
 
 def sphere_triangles(x, y, z, radius):
