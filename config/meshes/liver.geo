@@ -1,5 +1,5 @@
 // A liver of 0.2 m with a capsule, a tumour and a ligament: a thick right lobe at x = 0, a thin left lobe at x = 0.2, a
-// notch between them on the front margin, a hollow underside. z is up, y points backwards. Lengths in metres. Makes
+// notch between them on the front margin, a flat underside. z is up, y points backwards. Lengths in metres. Makes
 // liver.msh with
 //   gmsh -3 -format msh22 liver.geo
 SetFactory("OpenCASCADE");
