@@ -349,7 +349,8 @@ TEST(MeshIo, FilesThatCannotBeReadAreNamed) {
 
 TEST(MeshIo, ShippedMeshesReadWithoutRepairs) {
   const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  const std::map<std::string, std::size_t> elements = {{"organ", 5909}, {"animal", 3930}, {"figure", 1319}, {"liver", 12757}};
+  const std::map<std::string, std::size_t> elements = {
+      {"organ", 5909}, {"animal", 3930}, {"figure", 1319}, {"liver", 12757}};
   for (const auto& [name, count] : elements) {
     MeshRepairs repairs;
     const TetMesh mesh = readGmsh((root / "config/meshes" / (name + ".msh")).string(), &repairs);
