@@ -1,6 +1,7 @@
 #include "incision/rigid/timed_pose.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -28,7 +29,8 @@ TEST(TimedPoses, QuaternionsAreMadeUnitLength) {
 /// A file of this text for the length of a test.
 class PosesFile {
  public:
-  explicit PosesFile(const std::string& text) : path_(testing::TempDir() + "incision_poses_test.csv") {
+  explicit PosesFile(const std::string& text)
+      : path_(testing::TempDir() + "incision_poses_" + std::to_string(getpid()) + ".csv") {
     std::ofstream(path_) << text;
   }
   ~PosesFile() { std::remove(path_.c_str()); }

@@ -44,6 +44,12 @@ class BadParameters(unittest.TestCase):
         self.assertEqual(1, status, errors)
         self.assertIn("/bad/scene: boundary.0.group: 'rob', did you mean rib?", errors)
 
+    def test_a_region_that_the_mesh_has_not_ends_the_node(self):
+        body = {'mesh': 'package://incision/test/ros/rib.msh', 'regions': [{'group': 'tisue', 'cutting_force': 60}]}
+        status, errors = run_to_its_end(NODE, {'scene': {'body': body}})
+        self.assertEqual(1, status, errors)
+        self.assertIn("/bad/scene: body.regions.0.group: 'tisue', did you mean tissue?", errors)
+
 
 if __name__ == '__main__':
     rospy.init_node('bad_parameters_test')
