@@ -1,14 +1,15 @@
 #include "incision/body/stress_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace incision {
 
-StressView::StressView(const DeformableBody& body)
-    : mesh_(body.mesh()),
-      materials_(mesh_.mesh(), body.scene().body.material, body.scene().body.regions),
-      assembly_(mesh_, materials_, body.scene().body.mass, body.scene().body.pressure, body.scene().body.warping, 1) {
-  assembly_.topologyChanged(body.positions());
+StressView::StressView(std::shared_ptr<const CutMesh> mesh, const BodySettings& settings, const std::vector<Vec3>& x)
+    : mesh_(std::move(mesh)),
+      materials_(mesh_->mesh(), settings.material, settings.regions),
+      assembly_(*mesh_, materials_, settings.mass, settings.pressure, settings.warping, 1) {
+  assembly_.topologyChanged(x);
 }
 
 std::vector<double> StressView::vonMises(const std::vector<Vec3>& x) {
@@ -26,7 +27,7 @@ std::vector<RegionStress> StressView::ofRegions(const std::vector<double>& of_pa
   std::vector<RegionStress> stress(regions.count());
   std::vector<double> volume(regions.count(), 0);
   for (std::size_t p = 0; p < of_parts.size(); ++p) {
-    const int r = regions.of(mesh_.parts()[p].element);
+    const int r = regions.of(mesh_->parts()[p].element);
     const double V = assembly_.volume(static_cast<int>(p));
     volume[r] += V;
     stress[r].mean += V * of_parts[p];

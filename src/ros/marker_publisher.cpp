@@ -1,6 +1,7 @@
 #include "incision/ros/marker_publisher.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "incision/ros/surface_cloud.h"
 
@@ -13,6 +14,13 @@ std::vector<std::string> namesOf(const std::vector<ToolEntry>& tools) {
   return names;
 }
 
+/// Of a cube that six elements of mean volume fill [m].
+double meanSize(const DeformableBody& body) {
+  const std::vector<double> volumes = body.regionVolumes();
+  const double volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  return std::cbrt(6 * volume / static_cast<double>(body.mesh().mesh().elements.size()));
+}
+
 /// Of each triangle, the value of its part.
 std::vector<double> ofTriangles(const Surface& surface, const std::vector<double>& of_parts) {
   std::vector<double> values;
@@ -23,15 +31,16 @@ std::vector<double> ofTriangles(const Surface& surface, const std::vector<double
 
 }  // namespace
 
-MarkerPublisher::Topology::Topology(const DeformableBody& body)
-    : surface(body.surface()), stress(body), held(body.heldCopies()) {
+MarkerPublisher::Topology::Topology(const DeformableBody& body) : surface(body.surface()), held(body.heldCopies()) {
   for (int part : surface.part)
     regions.push_back(body.regions().of(body.mesh().parts()[static_cast<std::size_t>(part)].element));
 }
 
 MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body)
-    : frame_(settings.scene.body.frame),
+    : body_settings_(settings.scene.body),
       field_(settings.marker_field),
+      num_regions_(body.regions().count()),
+      element_size_(meanSize(body)),
       obstacles_(body.obstacles()),
       contact_names_(contactNames(obstacles_, namesOf(settings.tools))),
       next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
@@ -87,6 +96,10 @@ void MarkerPublisher::addBody(const DeformableBody& body, Snapshot* snapshot) {
     topology_ = std::make_shared<Topology>(body);
     topology_version_ = body.topologyVersion();
   }
+  if (snapshot->needsStress(field_) && !topology_->mesh) {
+    topology_ = std::make_shared<Topology>(*topology_);  // the thread may be reading the other one
+    topology_->mesh = std::make_shared<CutMesh>(body.mesh());
+  }
   snapshot->topology = topology_;
   snapshot->positions = body.positions();
   if (snapshot->wants_markers && !body.scene().loads.empty()) snapshot->loads = body.loadForces();
@@ -116,19 +129,24 @@ void MarkerPublisher::publish(const Snapshot& snapshot) {
     tools_[tool].publisher.publish(toMarkers(tools_[tool].shapes, tools_[tool].edge, view, frame_, stamp));
 }
 
-void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& stamp) {
-  Topology& topology = *snapshot.topology;
-  const bool shows_stress = snapshot.wants_markers && field_ == MarkerField::STRESS;
-  std::vector<double> of_parts, of_triangles;
-  if (shows_stress || snapshot.wants_cloud || snapshot.wants_stress) {
-    of_parts = topology.stress.vonMises(snapshot.positions);
-    of_triangles = ofTriangles(topology.surface, of_parts);
-  }
+/// Of each triangle of the surface, and on the way that of the regions.
+std::vector<double> MarkerPublisher::findStress(const Snapshot& snapshot) {
+  const Topology& topology = *snapshot.topology;
+  if (!stress_ || &stress_->mesh() != topology.mesh.get())
+    stress_ = std::make_unique<StressView>(topology.mesh, body_settings_, snapshot.positions);
+  const std::vector<double> of_parts = stress_->vonMises(snapshot.positions);
   if (snapshot.wants_stress) {
-    std::vector<RegionStress> found = topology.stress.ofRegions(of_parts);
+    std::vector<RegionStress> found = stress_->ofRegions(of_parts);
     const std::lock_guard<std::mutex> lock(mutex_);
     region_stress_ = std::move(found);
   }
+  return ofTriangles(topology.surface, of_parts);
+}
+
+void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& stamp) {
+  const Topology& topology = *snapshot.topology;
+  std::vector<double> of_triangles;
+  if (snapshot.needsStress(field_)) of_triangles = findStress(snapshot);
   const std::vector<Vec3> x = surfacePositions(topology.surface, snapshot.positions);
   if (snapshot.wants_cloud)
     cloud_publisher_.publish(toCloud(topology.surface, x, topology.regions, of_triangles, frame_, stamp));
@@ -137,10 +155,10 @@ void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& sta
   view.surface = &topology.surface;
   view.x = x;
   view.field = field_;
-  view.num_regions = topology.stress.materials().regions().count();
+  view.num_regions = num_regions_;
   view.regions = topology.regions;
   view.von_mises = of_triangles;
-  view.element_size = topology.stress.materials().meanSize();
+  view.element_size = element_size_;
   for (int c : topology.held) view.held.push_back(snapshot.positions[static_cast<std::size_t>(c)]);
   for (std::size_t c = 0; c < snapshot.loads.size(); ++c)
     if (!snapshot.loads[c].isZero(0)) view.loads.emplace_back(snapshot.positions[c], snapshot.loads[c]);

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "incision/body/deformable_body.h"
 #include "incision/fem/assembly.h"
+#include "incision/fem/body_settings.h"
 
 namespace incision {
 
@@ -13,15 +14,15 @@ struct RegionStress {
   double largest = 0;  ///< of any part [Pa]
 };
 
-/// A copy of a body's mesh as it is cut now, from which another thread finds the stress of its parts.
+/// Finds the stress of a body's parts from a copy of its mesh, on any thread.
 class StressView {
  public:
-  explicit StressView(const DeformableBody& body);
-  StressView(const StressView&) = delete;  // the assembly refers to the mesh
+  /// `settings` are the body's, and `x` is where the copies are [m].
+  StressView(std::shared_ptr<const CutMesh> mesh, const BodySettings& settings, const std::vector<Vec3>& x);
+  StressView(const StressView&) = delete;  // the assembly refers to the materials
   StressView& operator=(const StressView&) = delete;
 
-  const CutMesh& mesh() const { return mesh_; }
-  const Materials& materials() const { return materials_; }
+  const CutMesh& mesh() const { return *mesh_; }
 
   /// Von Mises' stress [Pa] of every part, the copies being at `x` [m].
   std::vector<double> vonMises(const std::vector<Vec3>& x);
@@ -30,7 +31,7 @@ class StressView {
   std::vector<RegionStress> ofRegions(const std::vector<double>& of_parts) const;
 
  private:
-  CutMesh mesh_;
+  std::shared_ptr<const CutMesh> mesh_;
   Materials materials_;
   Assembly assembly_;
 };

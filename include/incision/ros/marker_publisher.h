@@ -52,9 +52,10 @@ class MarkerPublisher {
   struct Topology {
     explicit Topology(const DeformableBody& body);
     const Surface surface;
-    StressView stress;
     const std::vector<int> held;  // copies
     std::vector<int> regions;     // of each triangle
+    /// A copy of the mesh, made only for those who want stress: it is the largest thing here.
+    std::shared_ptr<const CutMesh> mesh;
   };
   /// What somebody listens to, and nothing else.
   struct Snapshot {
@@ -65,16 +66,23 @@ class MarkerPublisher {
     std::optional<std::vector<Pose>> links;
     std::vector<std::pair<std::size_t, ToolView>> tools;  ///< by index
 
+    bool needsStress(MarkerField field) const {
+      return wants_stress || wants_cloud || (wants_markers && field == MarkerField::STRESS);
+    }
     bool empty() const { return !topology && !contacts && !links && tools.empty(); }
   };
   void addBody(const DeformableBody& body, Snapshot* snapshot);
   void publish(const Snapshot& snapshot);
+  std::vector<double> findStress(const Snapshot& snapshot);
   void publishBody(const Snapshot& snapshot, const ros::Time& stamp);
   void run();
   std::optional<Snapshot> take();
 
-  const std::string frame_;
+  const BodySettings body_settings_;
+  const std::string& frame_ = body_settings_.frame;
   const MarkerField field_;
+  const int num_regions_;
+  const double element_size_;  // the mean [m]
   const Obstacles obstacles_;
   const ContactNames contact_names_;
   std::chrono::nanoseconds period_;
@@ -87,6 +95,7 @@ class MarkerPublisher {
   mutable std::mutex mutex_;
   std::optional<Snapshot> latest_;
   std::vector<RegionStress> region_stress_;
+  std::unique_ptr<StressView> stress_;  // the thread's own
   std::atomic<bool> stopping_ = false;
   Wakeup wakeup_;
   std::thread thread_;
