@@ -157,8 +157,10 @@ void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forc
   if (patches_) averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
   parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
     const Mat3& R = rotations_[p];
-    const Mat3 stress = stressOf(p, R.transpose() * gradientOf(p, y), volume(p));
-    part_forces_[p].noalias() = (R * stress) * elements_[mesh_.parts()[p].element].b;
+    const TissueElement& element = elements_[mesh_.parts()[p].element];
+    const double V = mesh_.parts()[p].fraction * element.volume;
+    const Lame lame = {V * element.lame.lambda, V * element.lame.mu};
+    part_forces_[p].noalias() = (R * stressOf(p, R.transpose() * gradientOf(p, y), lame)) * element.b;
   });
   gather(
       [&](const Corner& corner) -> Vec3 {
@@ -220,7 +222,7 @@ double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
   for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
     const int part = static_cast<int>(p);
     const Mat3 F = gradientOf(part, x), RtF = rotationAt(part, F).transpose() * F;
-    energy += 0.5 * volume(part) * stressOf(part, RtF).cwiseProduct(corotatedStrain(RtF)).sum();
+    energy += 0.5 * volume(part) * stressOf(part, RtF, lameOf(part)).cwiseProduct(corotatedStrain(RtF)).sum();
   }
   return energy;
 }

@@ -95,11 +95,9 @@ class Assembly {
   void turnAll(const std::vector<Vec3>& x, const Function& f) const;
   template <typename Rotation>
   void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
-  /// σ of a part in its unrotated frame, times `scale`. With averaged pressure it takes the mean dilatation that was
-  /// found last.
-  Mat3 stressOf(int part, const Mat3& RtF, double scale = 1) const {
-    const Lame& of = lameOf(part);
-    const Lame lame = {scale * of.lambda, scale * of.mu};
+  /// σ of a part in its unrotated frame, by λ and μ. With averaged pressure it takes the mean dilatation that was found
+  /// last.
+  Mat3 stressOf(int part, const Mat3& RtF, const Lame& lame) const {
     return patches_ ? corotatedStress(RtF, mean_dilatations_[patches_->of(part)], lame) : corotatedStress(RtF, lame);
   }
   double densityOf(int part) const { return materials_.of(mesh_.parts()[part].element).density; }
