@@ -146,7 +146,7 @@ void DeformableBody::reset() { state_->recall(state_->at_start); }
 
 const Scene& DeformableBody::scene() const { return state_->scene; }
 const CutMesh& DeformableBody::mesh() const { return state_->mesh; }
-const Regions& DeformableBody::regions() const { return state_->materials.regions(); }
+const Materials& DeformableBody::materials() const { return state_->materials; }
 std::int64_t DeformableBody::steps() const { return state_->steps; }
 std::int64_t DeformableBody::unsettledSteps() const { return state_->unsettled_steps; }
 double DeformableBody::time() const { return state_->time(); }
@@ -221,8 +221,9 @@ std::vector<double> DeformableBody::pieceVolumes() const {
 
 std::vector<double> DeformableBody::regionVolumes() const {
   const TetMesh& mesh = state_->mesh.mesh();
-  std::vector<double> volumes(regions().count(), 0);
-  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) volumes[regions().of(e)] += elementVolume(mesh, e);
+  const Regions& regions = state_->materials.regions();
+  std::vector<double> volumes(regions.count(), 0);
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) volumes[regions.of(e)] += elementVolume(mesh, e);
   return volumes;
 }
 

@@ -5,10 +5,9 @@
 
 namespace incision {
 
-StressView::StressView(std::shared_ptr<const CutMesh> mesh, const BodySettings& settings, const std::vector<Vec3>& x)
-    : mesh_(std::move(mesh)),
-      materials_(mesh_->mesh(), settings.material, settings.regions),
-      assembly_(*mesh_, materials_, settings.mass, settings.pressure, settings.warping, 1) {
+StressView::StressView(std::shared_ptr<const CutMesh> mesh, const Materials& materials, const BodySettings& settings,
+                       const std::vector<Vec3>& x)
+    : mesh_(std::move(mesh)), assembly_(*mesh_, materials, settings.mass, settings.pressure, settings.warping, 1) {
   assembly_.topologyChanged(x);
 }
 
@@ -23,7 +22,7 @@ std::vector<double> StressView::vonMises(const std::vector<Vec3>& x) {
 }
 
 std::vector<RegionStress> StressView::ofRegions(const std::vector<double>& of_parts) const {
-  const Regions& regions = materials_.regions();
+  const Regions& regions = assembly_.materials().regions();
   std::vector<RegionStress> stress(regions.count());
   std::vector<double> volume(regions.count(), 0);
   for (std::size_t p = 0; p < of_parts.size(); ++p) {

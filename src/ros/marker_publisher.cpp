@@ -1,7 +1,6 @@
 #include "incision/ros/marker_publisher.h"
 
 #include <cmath>
-#include <numeric>
 
 #include "incision/ros/surface_cloud.h"
 
@@ -12,13 +11,6 @@ std::vector<std::string> namesOf(const std::vector<ToolEntry>& tools) {
   std::vector<std::string> names;
   for (const ToolEntry& tool : tools) names.push_back(tool.name());
   return names;
-}
-
-/// Of a cube that six elements of mean volume fill [m].
-double meanSize(const DeformableBody& body) {
-  const std::vector<double> volumes = body.regionVolumes();
-  const double volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-  return std::cbrt(6 * volume / static_cast<double>(body.mesh().mesh().elements.size()));
 }
 
 /// Of each triangle, the value of its part.
@@ -33,14 +25,13 @@ std::vector<double> ofTriangles(const Surface& surface, const std::vector<double
 
 MarkerPublisher::Topology::Topology(const DeformableBody& body) : surface(body.surface()), held(body.heldCopies()) {
   for (int part : surface.part)
-    regions.push_back(body.regions().of(body.mesh().parts()[static_cast<std::size_t>(part)].element));
+    regions.push_back(body.materials().regions().of(body.mesh().parts()[static_cast<std::size_t>(part)].element));
 }
 
 MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body)
     : body_settings_(settings.scene.body),
       field_(settings.marker_field),
-      num_regions_(body.regions().count()),
-      element_size_(meanSize(body)),
+      materials_(body.materials()),
       obstacles_(body.obstacles()),
       contact_names_(contactNames(obstacles_, namesOf(settings.tools))),
       next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
@@ -73,10 +64,8 @@ void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>&
   snapshot.wants_cloud = cloud_publisher_.getNumSubscribers() > 0;
   snapshot.wants_stress = wants_stress;
   if (snapshot.wants_markers || snapshot.wants_cloud || wants_stress) addBody(body, &snapshot);
-  if (wantsContacts()) {
-    snapshot.contacts = toContacts(body.wrenches(), contact_names_);
-    snapshot.contacts->step = static_cast<std::uint64_t>(body.steps());
-  }
+  snapshot.step = body.steps();
+  if (wantsContacts()) snapshot.wrenches = body.wrenches();
   if (obstacle_publisher_.getNumSubscribers() > 0) snapshot.links = links;
   for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
     if (tools_[tool].publisher.getNumSubscribers() == 0) continue;
@@ -118,22 +107,25 @@ std::optional<MarkerPublisher::Snapshot> MarkerPublisher::take() {
 void MarkerPublisher::publish(const Snapshot& snapshot) {
   const ros::Time stamp = ros::Time::now();
   if (snapshot.topology) publishBody(snapshot, stamp);
-  if (snapshot.contacts) {
-    Contacts contacts = *snapshot.contacts;
-    contacts.header.stamp = stamp;
-    contacts.header.frame_id = frame_;
-    contact_publisher_.publish(contacts);
-  }
+  if (snapshot.wrenches) publishContacts(snapshot, stamp);
   if (snapshot.links) obstacle_publisher_.publish(toMarkers(obstacles_, *snapshot.links, frame_, stamp));
   for (const auto& [tool, view] : snapshot.tools)
     tools_[tool].publisher.publish(toMarkers(tools_[tool].shapes, tools_[tool].edge, view, frame_, stamp));
+}
+
+void MarkerPublisher::publishContacts(const Snapshot& snapshot, const ros::Time& stamp) {
+  Contacts contacts = toContacts(*snapshot.wrenches, contact_names_);
+  contacts.header.stamp = stamp;
+  contacts.header.frame_id = frame_;
+  contacts.step = static_cast<std::uint64_t>(snapshot.step);
+  contact_publisher_.publish(contacts);
 }
 
 /// Of each triangle of the surface, and on the way that of the regions.
 std::vector<double> MarkerPublisher::findStress(const Snapshot& snapshot) {
   const Topology& topology = *snapshot.topology;
   if (!stress_ || &stress_->mesh() != topology.mesh.get())
-    stress_ = std::make_unique<StressView>(topology.mesh, body_settings_, snapshot.positions);
+    stress_ = std::make_unique<StressView>(topology.mesh, materials_, body_settings_, snapshot.positions);
   const std::vector<double> of_parts = stress_->vonMises(snapshot.positions);
   if (snapshot.wants_stress) {
     std::vector<RegionStress> found = stress_->ofRegions(of_parts);
@@ -155,10 +147,10 @@ void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& sta
   view.surface = &topology.surface;
   view.x = x;
   view.field = field_;
-  view.num_regions = num_regions_;
+  view.num_regions = materials_.regions().count();
   view.regions = topology.regions;
   view.von_mises = of_triangles;
-  view.element_size = element_size_;
+  view.element_size = materials_.meanSize();
   for (int c : topology.held) view.held.push_back(snapshot.positions[static_cast<std::size_t>(c)]);
   for (std::size_t c = 0; c < snapshot.loads.size(); ++c)
     if (!snapshot.loads[c].isZero(0)) view.loads.emplace_back(snapshot.positions[c], snapshot.loads[c]);

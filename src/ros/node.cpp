@@ -225,7 +225,9 @@ void IncisionNode::reset() {
   setPaused(paused_);
 }
 
-bool IncisionNode::wantsRegionStress() const { return !body_.regions().areOne() && state_.getNumSubscribers() > 0; }
+bool IncisionNode::wantsRegionStress() const {
+  return !body_.materials().regions().areOne() && state_.getNumSubscribers() > 0;
+}
 
 void IncisionNode::publishState() {
   next_heartbeat_ = now() + HEARTBEAT;
@@ -241,7 +243,7 @@ void IncisionNode::publishState() {
   state.deepest_contact = last_step_.contact.deepest;
   state.real_time_factor = real_time_factor_.value();
   state.clock_lag = pacer_->lag();
-  if (wantsRegionStress()) fillRegions(body_.regions(), markers_.regionStress(), &state);
+  if (wantsRegionStress()) fillRegions(body_.materials().regions(), markers_.regionStress(), &state);
   reporter_.fillState(state);
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();

@@ -78,7 +78,8 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
   line["bounds"] = {toJson(body.bounds().min), toJson(body.bounds().max)};
   line["piece_volumes"] = body.pieceVolumes();
   const std::vector<double> volumes = body.regionVolumes();
-  for (int r = 0; r < body.regions().count(); ++r) line["regions"][body.regions().name(r)] = volumes[r];
+  const Regions& regions = body.materials().regions();
+  for (int r = 0; r < regions.count(); ++r) line["regions"][regions.name(r)] = volumes[r];
   line["step_ms"] = {
       {"median", statistics.quantile(0.5)}, {"p99", statistics.quantile(0.99)}, {"max", statistics.quantile(1)}};
   line["phase_ms"] = {{"cut", phases.cut},           {"fracture", phases.fracture}, {"contact", phases.contact},

@@ -29,12 +29,13 @@ void writePartData(std::ostream& out, const DeformableBody& body, const std::vec
   const std::vector<Mat3> stress = body.partStress();
   int num_pieces = 0;
   const std::vector<int> pieces = body.mesh().copyPieces(&num_pieces);
+  const Regions& regions = body.materials().regions();
   const auto partOf = [&](std::size_t i) -> const Part& { return body.mesh().parts()[parts[i]]; };
   const std::size_t n = parts.size();
   writeArray(out, "Float64", "stress", 9, n, [&](std::size_t i) { writeMatrix(out, stress[parts[i]]); });
   writeArray(out, "Float64", "von_mises", 1, n, [&](std::size_t i) { out << vonMises(stress[parts[i]]); });
   writeArray(out, "Int32", "part", 1, n, [&](std::size_t i) { out << parts[i]; });
-  writeArray(out, "Int32", "region", 1, n, [&](std::size_t i) { out << body.regions().of(partOf(i).element); });
+  writeArray(out, "Int32", "region", 1, n, [&](std::size_t i) { out << regions.of(partOf(i).element); });
   writeArray(out, "Int32", "piece", 1, n, [&](std::size_t i) { out << pieces[partOf(i).copies[0]]; });
 }
 

@@ -25,7 +25,7 @@ TEST(StressView, FindsWhatTheBodyDoes) {
     DeformableBody body(scene, loadMesh(scene));
     run(&body, 5);
     ASSERT_EQ(body.cut(plane(Vec3(0.6, 0.1, 0.1), Vec3(1, 0.2, 0.1))).status, CutStatus::APPLIED);
-    StressView view(std::make_shared<CutMesh>(body.mesh()), scene.body, body.positions());
+    StressView view(std::make_shared<CutMesh>(body.mesh()), body.materials(), scene.body, body.positions());
     for (int k = 0; k < 5; ++k) {
       run(&body, 3);
       const std::vector<double> found = view.vonMises(body.positions());
@@ -43,12 +43,12 @@ TEST(StressView, ARegionsMeanIsByVolume) {
   const Scene scene = barInTwoRegions(Pressure::ELEMENT);
   DeformableBody body(scene, loadMesh(scene));
   ASSERT_EQ(body.cut(plane(Vec3(0.6, 0.1, 0.1), Vec3(1, 0.2, 0.1))).status, CutStatus::APPLIED);
-  const StressView view(std::make_shared<CutMesh>(body.mesh()), scene.body, body.positions());
+  const StressView view(std::make_shared<CutMesh>(body.mesh()), body.materials(), scene.body, body.positions());
   std::vector<double> of_parts;
   double sum = 0, volume = 0;
   for (const Part& part : body.mesh().parts()) {
     of_parts.push_back(part.fraction);
-    if (body.regions().of(part.element) == 0) continue;
+    if (body.materials().regions().of(part.element) == 0) continue;
     sum += part.fraction * part.fraction * elementVolume(body.mesh().mesh(), part.element);
     volume += part.fraction * elementVolume(body.mesh().mesh(), part.element);
   }

@@ -13,7 +13,7 @@
 #include "incision/contact/contact_report.h"
 #include "incision/contact/obstacles.h"
 #include "incision/cut/cut_result.h"
-#include "incision/fem/regions.h"
+#include "incision/fem/materials.h"
 #include "incision/fracture/growth.h"
 #include "incision/rigid/wrench.h"
 #include "incision/scene/scene.h"
@@ -154,7 +154,7 @@ class DeformableBody {
 
   const Scene& scene() const;
   const CutMesh& mesh() const;
-  const Regions& regions() const;
+  const Materials& materials() const;
   std::int64_t steps() const;
   /// Of these, those in which the forces of couplers did not settle.
   std::int64_t unsettledSteps() const;

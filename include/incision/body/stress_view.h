@@ -17,10 +17,9 @@ struct RegionStress {
 /// Finds the stress of a body's parts from a copy of its mesh, on any thread.
 class StressView {
  public:
-  /// `settings` are the body's, and `x` is where the copies are [m].
-  StressView(std::shared_ptr<const CutMesh> mesh, const BodySettings& settings, const std::vector<Vec3>& x);
-  StressView(const StressView&) = delete;  // the assembly refers to the materials
-  StressView& operator=(const StressView&) = delete;
+  /// `materials`, which must outlive this, and `settings` are the body's; `x` is where the copies are [m].
+  StressView(std::shared_ptr<const CutMesh> mesh, const Materials& materials, const BodySettings& settings,
+             const std::vector<Vec3>& x);
 
   const CutMesh& mesh() const { return *mesh_; }
 
@@ -32,7 +31,6 @@ class StressView {
 
  private:
   std::shared_ptr<const CutMesh> mesh_;
-  Materials materials_;
   Assembly assembly_;
 };
 

@@ -62,18 +62,20 @@ class MarkerPublisher {
     std::shared_ptr<Topology> topology;
     std::vector<Vec3> positions, loads;
     bool wants_markers = false, wants_cloud = false, wants_stress = false;
-    std::optional<Contacts> contacts;
+    std::optional<BodyWrenches> wrenches;
+    std::int64_t step = 0;  ///< after which it is
     std::optional<std::vector<Pose>> links;
     std::vector<std::pair<std::size_t, ToolView>> tools;  ///< by index
 
     bool needsStress(MarkerField field) const {
       return wants_stress || wants_cloud || (wants_markers && field == MarkerField::STRESS);
     }
-    bool empty() const { return !topology && !contacts && !links && tools.empty(); }
+    bool empty() const { return !topology && !wrenches && !links && tools.empty(); }
   };
   void addBody(const DeformableBody& body, Snapshot* snapshot);
   void publish(const Snapshot& snapshot);
   std::vector<double> findStress(const Snapshot& snapshot);
+  void publishContacts(const Snapshot& snapshot, const ros::Time& stamp);
   void publishBody(const Snapshot& snapshot, const ros::Time& stamp);
   void run();
   std::optional<Snapshot> take();
@@ -81,8 +83,7 @@ class MarkerPublisher {
   const BodySettings body_settings_;
   const std::string& frame_ = body_settings_.frame;
   const MarkerField field_;
-  const int num_regions_;
-  const double element_size_;  // the mean [m]
+  const Materials materials_;
   const Obstacles obstacles_;
   const ContactNames contact_names_;
   std::chrono::nanoseconds period_;
