@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "incision/fem/boundary.h"
 #include "incision/mesh/node_order.h"
 #include "incision/tool/make_tool.h"
 
@@ -44,15 +43,6 @@ RestBox boundsOf(const CutMesh& mesh) {
   return {box.min(), box.max()};
 }
 
-/// Of the nodes that elements use, those that clamps hold.
-int countHeldNodes(const CutMesh& mesh, const std::vector<Clamp>& clamps) {
-  const std::vector<int> held = heldNodes(mesh.mesh(), clamps);
-  int count = 0;
-  for (std::size_t n = 0; n < held.size(); ++n)
-    if (held[n] >= 0 && mesh.ownCopy(static_cast<int>(n)) >= 0) ++count;
-  return count;
-}
-
 Motion atRest(const CutMesh& mesh) {
   Motion motion;
   for (int c = 0; c < mesh.numCopies(); ++c) motion.x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
@@ -68,7 +58,6 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
       cuts(byTime(s.cuts)),
       mesh(withOrderedElements(std::move(rest)), s.solver.threads),
       bounds(boundsOf(mesh)),
-      held_nodes(countHeldNodes(mesh, s.boundary)),
       materials(mesh.mesh(), s.body.material, s.body.regions),
       step(mesh, materials, s.body.mass, s.body.pressure, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver,
            make_solver ? make_solver : makeLinearSolver),

@@ -100,7 +100,6 @@ struct DeformableBody::State {
   std::vector<ScheduledCut> cuts;  // of the scene, by time
   CutMesh mesh;
   const RestBox bounds;  // of the mesh
-  const int held_nodes;
   Materials materials;
   ImplicitStep step;
   BackwardDifference last_steps;  // for steps of second order

@@ -166,7 +166,8 @@ BodyCounts DeformableBody::counts() const {
   const CutMesh& mesh = state_->mesh;
   BodyCounts counts;
   counts.nodes = static_cast<int>(mesh.mesh().nodes.size());
-  counts.held_nodes = state_->held_nodes;
+  const std::vector<int>& held = state_->step.held();
+  for (int n = 0; n < counts.nodes; ++n) counts.held_nodes += mesh.ownCopy(n) >= 0 && held[mesh.ownCopy(n)] >= 0;
   counts.elements = static_cast<int>(mesh.mesh().elements.size());
   counts.parts = static_cast<int>(mesh.parts().size());
   for (int e = 0; e < counts.elements; ++e) counts.crack_elements += mesh.parts()[e].next >= 0;

@@ -13,8 +13,9 @@ std::string remark(const Place& place, const std::string& what) {
   return (place.said_at.empty() ? "" : place.said_at + ": ") + describe(place) + " " + what;
 }
 
-void remarkOnClamps(const Scene& scene, const CutMesh& mesh, std::vector<std::string>* remarks) {
-  const std::vector<int> held = heldNodes(mesh.mesh(), scene.boundary);
+/// `held`: the clamp of every node.
+void remarkOnClamps(const Scene& scene, const CutMesh& mesh, const std::vector<int>& held,
+                    std::vector<std::string>* remarks) {
   for (std::size_t i = 0; i < scene.boundary.size(); ++i) {
     if (std::find(held.begin(), held.end(), static_cast<int>(i)) != held.end()) continue;
     const Place& place = scene.boundary[i].place;
@@ -48,9 +49,9 @@ void remarkOnRegions(const Scene& scene, const CutMesh& mesh, std::vector<std::s
 std::vector<std::string> remarksOn(const Scene& scene, const CutMesh& mesh) {
   std::vector<std::string> remarks;
   remarkOnRegions(scene, mesh, &remarks);
-  remarkOnClamps(scene, mesh, &remarks);
-  remarkOnLoads(scene, mesh, &remarks);
   const std::vector<int> held = heldNodes(mesh.mesh(), scene.boundary);
+  remarkOnClamps(scene, mesh, held, &remarks);
+  remarkOnLoads(scene, mesh, &remarks);
   const bool is_held = std::any_of(held.begin(), held.end(), [](int clamp) { return clamp >= 0; });
   if (!is_held && !scene.contact && !scene.gravity.isZero(0))
     remarks.push_back("nothing holds the body, neither a clamp nor contact: it falls");
