@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "incision/base/parallel.h"
+#include "incision/base/sort_once.h"
 
 namespace incision {
 namespace {
@@ -91,8 +92,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
     stale_.push_back(at->get());
     to_place_.insert(to_place_.end(), {a, b});
   }
-  std::sort(to_place_.begin(), to_place_.end());
-  to_place_.erase(std::unique(to_place_.begin(), to_place_.end()), to_place_.end());
+  sortOnce(&to_place_);
   parallelFor(static_cast<int>(to_place_.size()), threads, [&](int i) { trees_.place(surface, x, to_place_[i]); });
   parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) { search(surface, x, reach, stale_[i]); });
   searches_ += static_cast<int>(stale_.size());

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "incision/base/sort_once.h"
 #include "incision/mesh/tet_mesh.h"
 
 namespace incision {
@@ -87,8 +88,7 @@ class Splitter {
         const int a = facet.corners[i], b = facet.corners[(i + 1) % facet.corners.size()];
         if (liesOnSection(a) && liesOnSection(b)) edges.emplace_back(a, b);
       }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sortOnce(&edges);
     for (const auto& [a, b] : edges) {
       if (std::binary_search(edges.begin(), edges.end(), std::pair(b, a))) continue;
       if (!rim.empty() && rim.back().first == a) return {};  // two ways on

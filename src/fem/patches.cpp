@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "incision/base/disjoint_sets.h"
+#include "incision/base/sort_once.h"
 
 namespace incision {
 namespace {
@@ -42,8 +43,7 @@ std::vector<int> Patches::clustersAt(const std::vector<int>& nodes) const {
   std::vector<int> clusters;
   for (int node : nodes)
     for (int element : mesh_.topology().star[node]) clusters.push_back(cluster_of_[element]);
-  std::sort(clusters.begin(), clusters.end());
-  clusters.erase(std::unique(clusters.begin(), clusters.end()), clusters.end());
+  sortOnce(&clusters);
   return clusters;
 }
 
@@ -52,8 +52,7 @@ std::vector<int> Patches::nodesBeside(const std::vector<int>& touched) const {
   for (int cluster : clustersAt(touched))
     for (int element : elements_[cluster])
       nodes.insert(nodes.end(), mesh_.mesh().elements[element].begin(), mesh_.mesh().elements[element].end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sortOnce(&nodes);
   return nodes;
 }
 

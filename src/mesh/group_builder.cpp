@@ -3,23 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "incision/base/sort_once.h"
+
 namespace incision {
 namespace {
 
 constexpr int SURFACE = 2, VOLUME = 3;
-
-template <class Values>
-void sortOnce(Values* values) {
-  std::sort(values->begin(), values->end());
-  values->erase(std::unique(values->begin(), values->end()), values->end());
-}
-
-std::vector<char> nodesInUse(const TetMesh& mesh) {
-  std::vector<char> used(mesh.nodes.size(), 0);
-  for (const auto& element : mesh.elements)
-    for (int n : element) used[n] = 1;
-  return used;
-}
 
 /// Sorts what a group has, and leaves out what the body has not.
 void tidy(const TetMesh& mesh, const std::vector<char>& used, PhysicalGroup* group) {
@@ -84,7 +73,7 @@ void GroupBuilder::renumberElements(const std::vector<int>& now) {
 std::vector<PhysicalGroup> GroupBuilder::finish(const TetMesh& mesh) {
   std::vector<PhysicalGroup> all;
   if (groups_.empty()) return all;
-  const std::vector<char> used = nodesInUse(mesh);
+  const std::vector<char> used = usedNodes(mesh);
   for (auto& [key, group] : groups_) {
     if (group.name.empty()) group.name = std::to_string(group.tag);
     tidy(mesh, used, &group);

@@ -180,9 +180,7 @@ void MeshBuilder::checkTopology() const {
 std::string MeshBuilder::called(int element) const { return "element " + std::to_string(element_numbers_[element]); }
 
 int MeshBuilder::countUnreferencedNodes() const {
-  std::vector<char> used(mesh_.nodes.size(), 0);
-  for (const auto& element : mesh_.elements)
-    for (int n : element) used[n] = 1;
+  const std::vector<char> used = usedNodes(mesh_);
   return static_cast<int>(std::count(used.begin(), used.end(), 0));
 }
 

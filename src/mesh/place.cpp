@@ -7,6 +7,7 @@
 #include "incision/base/input_error.h"
 #include "incision/base/limits.h"
 #include "incision/base/printable.h"
+#include "incision/base/sort_once.h"
 #include "incision/base/suggestion.h"
 #include "incision/base/yaml_reader.h"
 
@@ -25,12 +26,6 @@ std::vector<const PhysicalGroup*> groupsOf(const Place& place, const TetMesh& me
   const std::string allowed = names.empty() ? "none, the mesh has no physical groups" : printable(joined(names));
   throw InputError((place.said_at.empty() ? "" : place.said_at + ".group: ") + "'" + printable(place.group) + "'" +
                    suggestion(place.group, names) + " (allowed: " + allowed + ")");
-}
-
-template <class Values>
-void sortOnce(Values* values) {
-  std::sort(values->begin(), values->end());
-  values->erase(std::unique(values->begin(), values->end()), values->end());
 }
 
 /// All that the groups of a name have of one kind, ascending, each once.

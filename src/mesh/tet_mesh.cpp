@@ -114,6 +114,13 @@ double elementVolume(const TetMesh& mesh, int e) {
   return sixVolumes(mesh.nodes[n[0]], mesh.nodes[n[1]], mesh.nodes[n[2]], mesh.nodes[n[3]]) / 6;
 }
 
+std::vector<char> usedNodes(const TetMesh& mesh) {
+  std::vector<char> used(mesh.nodes.size(), 0);
+  for (const auto& element : mesh.elements)
+    for (int n : element) used[n] = 1;
+  return used;
+}
+
 std::vector<double> shortestEdges(const TetMesh& mesh) {
   std::vector<double> shortest(mesh.nodes.size(), std::numeric_limits<double>::infinity());
   for (const auto& element : mesh.elements) {

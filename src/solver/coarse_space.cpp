@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "incision/base/parallel.h"
+#include "incision/base/sort_once.h"
 
 namespace incision {
 namespace {
@@ -183,8 +184,7 @@ void CoarseSpace::findPairs() {
         if (J < I && !std::binary_search(columns_[I].begin(), columns_[I].end(), J)) extra_.emplace_back(I, J);
       }
   if (extra_.size() == known) return;
-  std::sort(extra_.begin(), extra_.end());
-  extra_.erase(std::unique(extra_.begin(), extra_.end()), extra_.end());
+  sortOnce(&extra_);
   const Lists<int> columns = columns_;
   const std::vector<CoarseBlock> blocks = coarse_blocks_;
   findBlocks();

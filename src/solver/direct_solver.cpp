@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/base/sort_once.h"
+
 namespace incision {
 namespace {
 
@@ -132,8 +134,7 @@ void DirectSolver::findBlocks(const std::vector<Spring>& springs) {
     idle_ = 0;
   }
   extra_.insert(extra_.end(), missing.begin(), missing.end());
-  std::sort(extra_.begin(), extra_.end());
-  extra_.erase(std::unique(extra_.begin(), extra_.end()), extra_.end());
+  sortOnce(&extra_);
   analyse();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "incision/base/sort_once.h"
 #include "incision/solver/line_search.h"
 #include "incision/solver/rigid_modes.h"
 
@@ -122,8 +123,7 @@ void RigidGuess::Work::findPattern() {
     for (const End& a : std::as_const(ends)[i])
       for (const End& b : std::as_const(ends)[i])
         if (a.piece > b.piece) pairs.push_back(pairOf(a, b));
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sortOnce(&pairs);
   blocks_of.clear();
   for (int i = 0; i < ends.count(); ++i) {
     const Span<const End> list = std::as_const(ends)[i];

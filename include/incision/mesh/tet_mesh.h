@@ -50,6 +50,9 @@ double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Volume [m³] of element `e`.
 double elementVolume(const TetMesh& mesh, int e);
 
+/// Whether an element uses it, for every node.
+std::vector<char> usedNodes(const TetMesh& mesh);
+
 /// Shortest edge [m] at each node over the elements that use it; infinity at a node no element uses.
 std::vector<double> shortestEdges(const TetMesh& mesh);
 
