@@ -38,13 +38,6 @@ std::vector<Vec3> tractionForces(const CutMesh& mesh, const std::vector<ElementF
 
 }  // namespace
 
-std::vector<std::vector<Vec3>> loadForces(const CutMesh& mesh, const std::vector<Load>& loads) {
-  std::vector<std::vector<Vec3>> forces;
-  for (const Load& load : loads)
-    forces.push_back(tractionForces(mesh, boundaryFacesAt(load.place, mesh.mesh(), mesh.topology()), load.traction));
-  return forces;
-}
-
 Loads::Loads(const CutMesh& mesh, std::vector<Load> loads)
     : mesh_(mesh), loads_(std::move(loads)), tractions_(loads_.size()), pressed_(loads_.size()) {
   for (const Load& load : loads_) {

@@ -9,6 +9,7 @@
 #include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/place.h"
 #include "support/mesh_file.h"
+#include "support/test_file.h"
 
 namespace incision::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "incision/fem/loads.h"
+#include "support/loads.h"
 #include "support/rig.h"
 
 namespace incision {
@@ -33,14 +33,12 @@ const std::vector<std::vector<PlaneCut>> DISSECTIONS = {
     {rectangle(Vec3(0.9, 0.28, 0.2), Vec3(0, 1, 0.1), Vec3::UnitX(), 0.9, 0)},  // a slit
 };
 
-std::vector<Vec3> forcesOf(const CutMesh& mesh, const Load& load) { return loadForces(mesh, {load}).front(); }
-
 TEST(Tractions, SumToAreaTimesTractionHoweverCut) {
   const Vec3 t(3, -5, 7);
   for (const auto& cuts : DISSECTIONS) {
     const CutMesh mesh = cutBlock(cuts);
-    const std::vector<Vec3> end = forcesOf(mesh, {slab(0, 0.9), t, 0});
-    const std::vector<Vec3> all = forcesOf(mesh, {EVERYWHERE, t, 0});
+    const std::vector<Vec3> end = loadForces(mesh, {slab(0, 0.9), t, 0});
+    const std::vector<Vec3> all = loadForces(mesh, {EVERYWHERE, t, 0});
     const std::vector<Vec3> X = restPositions(mesh);
     Vec3 end_force = Vec3::Zero(), end_moment = Vec3::Zero(), all_force = Vec3::Zero();
     for (int c = 0; c < mesh.numCopies(); ++c) {
@@ -60,7 +58,7 @@ TEST(Tractions, ActOnEachPieceByTheAreaItOwns) {
   int pieces = 0;
   const std::vector<int> piece = mesh.copyPieces(&pieces);
   ASSERT_EQ(pieces, 2);
-  const std::vector<Vec3> forces = forcesOf(mesh, {slab(0, 0.9), Vec3::UnitX(), 0});
+  const std::vector<Vec3> forces = loadForces(mesh, {slab(0, 0.9), Vec3::UnitX(), 0});
   std::vector<double> force(2, 0), height(2, 0);
   const std::vector<Vec3> X = restPositions(mesh);
   for (int c = 0; c < mesh.numCopies(); ++c) {
@@ -80,10 +78,10 @@ TEST(Tractions, NeedAllNodesOfAFaceInTheBox) {
   RestBox half = slab(0, 0.9);
   half.max.y() = 0.3 + 1e-9;
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& f : forcesOf(mesh, {half, Vec3::UnitX(), 0})) sum += f;
+  for (const Vec3& f : loadForces(mesh, {half, Vec3::UnitX(), 0})) sum += f;
   EXPECT_NEAR(sum.x(), 0.12, 1e-12);
   half.max.y() = 0.29;
-  for (const Vec3& f : forcesOf(mesh, {half, Vec3::UnitX(), 0})) EXPECT_EQ(f, Vec3::Zero());
+  for (const Vec3& f : loadForces(mesh, {half, Vec3::UnitX(), 0})) EXPECT_EQ(f, Vec3::Zero());
 }
 
 // How many copies of each piece are held at x = 0.

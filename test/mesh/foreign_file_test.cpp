@@ -1,24 +1,12 @@
 // Files of other formats are refused by their names and with the command that makes a mesh of them.
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <string>
 
-#include "incision/base/input_error.h"
-#include "incision/mesh/mesh_io.h"
+#include "support/mesh_text.h"
 
 namespace incision {
 namespace {
-
-std::string errorOf(const std::string& text) {
-  std::istringstream in(text);
-  try {
-    readGmsh(in, "a.msh");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(ForeignFile, IsNamedWithTheCommandThatConvertsIt) {
   const std::string binary_stl = std::string(80, 'x') + std::string("\2\0\0\0", 4) + std::string(100, '\0');

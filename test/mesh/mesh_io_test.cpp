@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <sstream>
 #include <string>
 
 #include "incision/base/input_error.h"
+#include "support/mesh_text.h"
 
 namespace incision {
 namespace {
@@ -72,26 +72,6 @@ $Elements
 3 20 10 30 5
 $EndElements
 )";
-
-TetMesh read(const std::string& text, MeshRepairs* repairs = nullptr) {
-  std::istringstream in(text);
-  return readGmsh(in, "a.msh", repairs);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-std::string errorOf(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// One thing spoilt in a good file, and what the error must then say.
 struct Spoilt {

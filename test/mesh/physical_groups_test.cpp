@@ -1,11 +1,11 @@
 // Physical groups as Gmsh's files have them.
 #include <gtest/gtest.h>
 
-#include <sstream>
 #include <string>
 
 #include "incision/base/input_error.h"
 #include "incision/mesh/mesh_io.h"
+#include "support/mesh_text.h"
 
 namespace incision {
 namespace {
@@ -96,26 +96,6 @@ $Elements
 10 20 10 30 5
 $EndElements
 )";
-
-TetMesh read(const std::string& text, MeshRepairs* repairs = nullptr) {
-  std::istringstream in(text);
-  return readGmsh(in, "a.msh", repairs);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-std::string errorOf(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// A group in a line: its dimension, number and name, its nodes, triangles and elements.
 std::string asText(const PhysicalGroup& group) {

@@ -6,8 +6,8 @@
 
 #include "incision/mesh/grid_mesh.h"
 #include "incision/mesh/place.h"
-#include "support/mesh_file.h"
 #include "support/section.h"
+#include "support/test_file.h"
 
 namespace incision {
 namespace {

@@ -1,12 +1,9 @@
 #include "incision/rigid/timed_pose.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <fstream>
 
 #include "support/section.h"
+#include "support/test_file.h"
 
 namespace incision {
 namespace {
@@ -26,29 +23,14 @@ TEST(TimedPoses, QuaternionsAreMadeUnitLength) {
   EXPECT_NEAR(poses[0].pose.orientation.norm(), 1, 1e-15);  // rounding of one division
 }
 
-/// A file of this text for the length of a test.
-class PosesFile {
- public:
-  explicit PosesFile(const std::string& text)
-      : path_(testing::TempDir() + "incision_poses_" + std::to_string(getpid()) + ".csv") {
-    std::ofstream(path_) << text;
-  }
-  ~PosesFile() { std::remove(path_.c_str()); }
-  PosesFile(const PosesFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 TEST(TimedPoses, ArriveFromAFile) {
-  const PosesFile file("t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\r\n\n1, 1, 2, 3, 0, 0, 1, 0\n");
+  const test::TestFile file("poses.csv", "t,x,y,z,qx,qy,qz,qw\n0.5,1,2,3,0,0,0,1\r\n\n1, 1, 2, 3, 0, 0, 1, 0\n");
   const std::vector<TimedPose> poses = readPoses(file.path());
   EXPECT_EQ(poses, parsePoses(test::section("poses", "[[0.5, 1, 2, 3, 0, 0, 0, 1], [1, 1, 2, 3, 0, 0, 1, 0]]")));
 }
 
 TEST(TimedPoses, OfAFileWithTimesOfTheClockCountFromTheFirst) {
-  const PosesFile file("1700000000.25,1,2,3,0,0,0,1\n1700000001.75,1,2,3,0,0,0,1\n");
+  const test::TestFile file("poses.csv", "1700000000.25,1,2,3,0,0,0,1\n1700000001.75,1,2,3,0,0,0,1\n");
   const std::vector<TimedPose> poses = readPoses(file.path());
   ASSERT_EQ(poses.size(), 2u);
   EXPECT_EQ(poses[0].time, 0);
@@ -65,7 +47,7 @@ TEST(TimedPoses, BadFilesAreRefusedWithTheLine) {
            {"0,1,2,3,0,0,0,2\n", ":1: a quaternion of length 2"},
            {"-1,1,2,3,0,0,0,1\n", ":1: t: -1"},
            {"1,1,2,3,0,0,0,1\n1,1,2,3,0,0,0,1\n", ":2: not later than the pose before it"}}) {
-    const PosesFile file(text);
+    const test::TestFile file("poses.csv", text);
     try {
       readPoses(file.path());
       ADD_FAILURE() << text;

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -31,21 +26,5 @@ inline std::string asGmsh(const TetMesh& mesh) {
          "$EndPhysicalNames\n$Nodes\n" + std::to_string(mesh.nodes.size()) + "\n" + nodes.str() +
          "$EndNodes\n$Elements\n" + std::to_string(count) + "\n" + elements.str() + "$EndElements\n";
 }
-
-/// A file that lives as long as the test.
-class TestFile {
- public:
-  TestFile(const std::string& name, const std::string& text)
-      : path_(::testing::TempDir() + std::to_string(getpid()) + "_" + name) {
-    std::ofstream(path_, std::ios::binary) << text;
-  }
-  ~TestFile() { std::remove(path_.c_str()); }
-  TestFile(const TestFile&) = delete;
-  TestFile& operator=(const TestFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 }  // namespace incision::test

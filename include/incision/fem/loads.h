@@ -8,10 +8,6 @@
 
 namespace incision {
 
-/// Nodal forces of the tractions [N] at full load, one entry per load: Σ ∫ N_I t dA over what each part owns of the
-/// loaded faces.
-std::vector<std::vector<Vec3>> loadForces(const CutMesh& mesh, const std::vector<Load>& loads);
-
 /// What pulls and presses on a body's boundary. A traction t gives ∫ N_I t dA over the area at rest, a pressure p
 ///   −p ∫ N_I n da
 /// over the area a as it is deformed by the copies of the part that owns it, n being its normal out of the body. As N_I

@@ -35,8 +35,7 @@ class StepEquations {
  public:
   virtual ~StepEquations() = default;
 
-  /// The right-hand side less A Δv at every copy [N s], without springs; at held copies what their clamps
-  /// take up.
+  /// The right-hand side less A Δv at every copy [N s], without springs; at held copies what their clamps take up.
   virtual void residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) = 0;
 
   /// Takes over the springs that act, into the matrix and into the groups of pieces between which they do. Returns

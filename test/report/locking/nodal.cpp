@@ -1,8 +1,8 @@
 #include "report/locking/nodal.h"
 
-#include "incision/fem/loads.h"
 #include "incision/solver/sparse_cholesky.h"
 #include "report/locking/specimen.h"
+#include "support/loads.h"
 
 namespace incision::report {
 namespace {
@@ -65,7 +65,7 @@ NodalAverage nodalAverage(const Problem& problem, const TetMesh& mesh, double po
   const Sparse D = meanDilatations(rig, copies, tissue.lambda());
   const Sparse K = systemMatrix(rig.step.assembly(), {0, 1}, copies) + Sparse(D.transpose() * D);
 
-  const std::vector<Vec3> forces = loadForces(rig.mesh, problem.loads).front();
+  const std::vector<Vec3> forces = loadForces(rig.mesh, problem.loads.front());
   Eigen::VectorXd f(K.rows());
   Vec3 force = Vec3::Zero();
   for (std::size_t k = 0; k < copies.size(); ++k) f.segment<3>(3 * static_cast<int>(k)) = forces[copies[k]];

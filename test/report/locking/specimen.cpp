@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/clock.h"
+#include "support/loads.h"
 
 namespace incision::report {
 namespace {
@@ -40,7 +41,7 @@ double Specimen::answer() const {
     for (const Clamp& clamp : problem_.clamps) moved += clamp.velocity.norm();
     return 2 * step.assembly().elasticEnergy(motion.x) / moved;
   }
-  const std::vector<Vec3> forces = loadForces(mesh, problem_.loads).front(), u = displacements();
+  const std::vector<Vec3> forces = loadForces(mesh, problem_.loads.front()), u = displacements();
   double work = 0;
   Vec3 force = Vec3::Zero();
   for (std::size_t c = 0; c < u.size(); ++c) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "report/clock.h"
+#include "support/loads.h"
 
 namespace incision::report {
 namespace {
@@ -78,9 +79,9 @@ json point(const Quantity& quantity, const MeshRun& at) {
 /// Σ F² [N²] over the resultants of the loads.
 double squaresOfResultants(const CutMesh& mesh, const std::vector<Load>& loads) {
   double sum = 0;
-  for (const std::vector<Vec3>& forces : loadForces(mesh, loads)) {
+  for (const Load& load : loads) {
     Vec3 resultant = Vec3::Zero();
-    for (const Vec3& f : forces) resultant += f;
+    for (const Vec3& f : loadForces(mesh, load)) resultant += f;
     sum += resultant.squaredNorm();
   }
   return sum;
