@@ -47,7 +47,7 @@ class Body:
         self.state, self._points, self._root = None, [], None
         self._news = threading.Condition()
         self.cuts = rospy.Publisher('incision/cut_plane', CutPlane, queue_size=10)
-        self.poses = rospy.Publisher('incision/tool_pose', PoseStamped, queue_size=100)
+        self.poses = rospy.Publisher('incision/scalpel/servo_cp', PoseStamped, queue_size=100)
         self._blade = rospy.Publisher('~blade', Marker, queue_size=1)
         rospy.Subscriber('incision/cut_report', CutReport, self.reports.append)
         rospy.Subscriber('incision/state', BodyState, self._keep_state)

@@ -134,6 +134,14 @@ std::vector<YamlValue> YamlValue::list(std::optional<std::size_t> count) const {
   return entries;
 }
 
+std::optional<YamlValue> YamlValue::peek(const std::string& key) const {
+  if (!node_.IsMap()) return std::nullopt;
+  for (const auto& entry : node_)
+    if (entry.first.IsScalar() && entry.first.Scalar() == key)
+      return YamlValue(entry.second, source_, folder_, (key_.empty() ? "" : key_ + ".") + key);
+  return std::nullopt;
+}
+
 YamlMap YamlValue::map(const std::vector<std::string>& allowed_keys) const {
   const std::string allowed = joined(allowed_keys);
   if (!node_.IsMap() && !node_.IsNull()) refuse("a map with " + allowed);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "incision/mesh/node_order.h"
-#include "incision/tool/make_tool.h"
+#include "incision/tool/kinds.h"
 
 namespace incision {
 namespace {
@@ -77,8 +77,12 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
 }
 
 void DeformableBody::State::makeTools(const Descriptions& descriptions) {
-  if (!scene.tool) return;
-  tools.push_back(makeTool(*scene.tool, descriptions.tool, {mesh, materials, scene.contact ? &skin : nullptr}));
+  if (scene.tools.empty()) return;
+  ties.emplace(materials);
+  for (std::size_t i = 0; i < scene.tools.size(); ++i) {
+    const std::string urdf = i < descriptions.tools.size() ? descriptions.tools[i] : "";
+    tools.push_back(makeTool(scene.tools[i], urdf, {mesh, materials, *ties, scene.contact ? &skin : nullptr}));
+  }
 }
 
 /// Whatever couples the body to itself or to something else is an entry here.
@@ -96,8 +100,9 @@ void DeformableBody::State::makeCouplers() {
   for (const auto& coupler : own_couplers) list.push_back(coupler.get());
   for (const auto& tool : tools) {
     for (Coupler* coupler : tool->couplers()) list.push_back(coupler);
-    if (tool->contact()) contacts.push_back(tool->contact());
+    for (const auto& contact : tool->touching()) contacts.push_back(contact.get());
   }
+  if (ties) list.push_back(&*ties);
   couplers = Couplers(list);
 }
 

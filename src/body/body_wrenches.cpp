@@ -26,7 +26,7 @@ void DeformableBody::State::feel(const StepSpan& span, bool coupled) {
   };
   if (body_contact) addPoints(*body_contact, -1);
   for (std::size_t i = 0; i < tools.size(); ++i)
-    if (tools[i]->contact()) addPoints(*tools[i]->contact(), static_cast<int>(i));
+    for (const auto& contact : tools[i]->touching()) addPoints(*contact, static_cast<int>(i));
 }
 
 /// The step has been taken, but nothing has gone to where it ends yet.

@@ -119,9 +119,19 @@ std::optional<CutResult> DeformableBody::activateTool(bool active, std::size_t t
 
 const std::optional<Pose>& DeformableBody::toolPose(std::size_t tool) const { return state_->tools.at(tool)->pose(); }
 
-const Edge* DeformableBody::toolEdge(std::size_t tool) const { return state_->tools.at(tool)->edge(); }
+void DeformableBody::guideJaw(double angle, std::size_t tool) { state_->tools.at(tool)->guideJaw(angle); }
 
-const Obstacles& DeformableBody::toolShapes(std::size_t tool) const { return state_->tools.at(tool)->shapes(); }
+double DeformableBody::toolJaw(std::size_t tool) const { return state_->tools.at(tool)->jaw(); }
+
+ToolForm DeformableBody::toolForm(std::size_t tool) const { return state_->tools.at(tool)->form(); }
+
+std::vector<Pose> DeformableBody::toolGroups(std::size_t tool) const {
+  const Tool& of = *state_->tools.at(tool);
+  std::vector<Pose> poses;
+  if (!of.pose()) return poses;
+  for (int g = 0; g < of.groups(); ++g) poses.push_back(composed(*of.pose(), of.groupPose(g, of.jaw())));
+  return poses;
+}
 
 const Obstacles& DeformableBody::obstacles() const { return state_->obstacles; }
 

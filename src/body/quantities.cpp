@@ -49,14 +49,18 @@ std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body) {
   return quantities;
 }
 
-std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, const StepResult& last_step) {
-  std::vector<Quantity> quantities;
-  for (std::size_t i = 0; i < body.tools(); ++i) {
-    const ToolReport report = i < last_step.tools.size() ? last_step.tools[i] : ToolReport();
-    quantities.push_back({"tool_force", report.force});
-    quantities.push_back({"tool_torque", report.torque});
-    quantities.push_back({"tool_depth", report.depth});
-    quantities.push_back({"tool_stroke_area", report.stroke_area});
+std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, std::size_t tool, const StepResult& last_step) {
+  const ToolReport report = tool < last_step.tools.size() ? last_step.tools[tool] : ToolReport();
+  const ToolForm form = body.toolForm(tool);
+  std::vector<Quantity> quantities = {{"force", report.force}, {"torque", report.torque}};
+  if (!form.edges.empty()) {
+    quantities.push_back({"depth", report.depth});
+    quantities.push_back({"area", report.stroke_area});
+  }
+  if (form.has_jaw) {
+    quantities.push_back({"jaw", report.jaw});
+    quantities.push_back({"jaw_torque", report.jaw_torque});
+    quantities.push_back({"gripped", report.gripped});
   }
   return quantities;
 }

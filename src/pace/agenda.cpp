@@ -24,6 +24,12 @@ void Agenda::add(int tool, const ReceivedPose& pose, Nanoseconds stamp) {
   at(tool).add(pose, stamp);
 }
 
+void Agenda::add(int tool, const ReceivedAngle& angle, Nanoseconds stamp) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  countIfLate(stamp);
+  at(tool).add(angle, stamp);
+}
+
 void Agenda::activate(int tool, bool active) {
   const std::lock_guard<std::mutex> lock(mutex_);
   at(tool).activate(active);

@@ -11,6 +11,13 @@ void ToolQueue::add(ReceivedPose pose, Nanoseconds stamp) {
   ++thinned_;
 }
 
+void ToolQueue::add(const ReceivedAngle& angle, Nanoseconds stamp) {
+  jaw_.add(angle, stamp);
+  if (jaw_.size() <= MAX_WAITING_POSES) return;
+  jaw_.thin();
+  ++thinned_;
+}
+
 void ToolQueue::activate(bool active) {
   active_ = active;
   switched_after_ = last_pose_;
@@ -19,6 +26,7 @@ void ToolQueue::activate(bool active) {
 ToolInput ToolQueue::take(Nanoseconds time) {
   ToolInput input;
   input.poses = poses_.take(time);
+  input.jaw = jaw_.take(time);
   if (!input.poses.empty()) active_taken_ = input.poses.back().active;
   if (switched_after_ <= time) active_taken_ = active_;
   input.active = active_taken_;

@@ -35,6 +35,13 @@ std::optional<Refused> whyRefused(const Pose& pose) {
   return std::nullopt;
 }
 
+std::optional<Refused> whyRefused(double angle, const Range& jaw) {
+  if (!std::isfinite(angle)) return Refused{Refusal::NOT_FINITE, "position: infinite or not a number"};
+  if (angle >= jaw.min && angle <= jaw.max) return std::nullopt;
+  return outOfRange("position: " + std::to_string(angle) + " (allowed by the joint: " + std::to_string(jaw.min) +
+                    " to " + std::to_string(jaw.max) + ")");
+}
+
 std::optional<Refused> whyRefusedFrame(const std::string& name) {
   if (name.size() <= MAX_NAME) return std::nullopt;
   return outOfRange("header.frame_id: longer than " + std::to_string(MAX_NAME) + " characters");

@@ -12,8 +12,8 @@ ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
 
 }  // namespace
 
-CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, Agenda& agenda, Reporter& reporter,
-                           Wakeup& wakeup)
+CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body,
+                           Agenda& agenda, Reporter& reporter, Wakeup& wakeup)
     : use_sim_time_(ros::Time::isSimTime()),
       body_frame_(settings.scene.body.frame),
       agenda_(agenda),
@@ -27,9 +27,8 @@ CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, 
       spinner_(1, &callbacks_) {
   ros::NodeHandle commands = withQueue(node, callbacks_);
   subscribe<CutPlane>(commands, "cut_plane", [this](const CutPlane& message) { receiveCut(message); });
-  for (std::size_t i = 0; i < settings.tools.size(); ++i)
-    subscribeToTool(commands, static_cast<int>(i), settings.tools[i]);
-  if (settings.tools.empty()) subscribeToNoTool(commands);
+  for (std::size_t i = 0; i < settings.scene.tools.size(); ++i)
+    subscribeToTool(commands, static_cast<int>(i), settings.scene.tools[i], body.toolForm(i));
   poll_ = commands.createWallTimer(
       ros::WallDuration(TRANSFORM_POLL),
       [this](const ros::WallTimerEvent&) {
@@ -48,23 +47,19 @@ void CommandInput::subscribe(ros::NodeHandle& node, const std::string& topic, Re
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
 }
 
-void CommandInput::subscribeToTool(ros::NodeHandle& node, int tool, const ToolEntry& entry) {
-  if (entry.settings.frame.empty())
+void CommandInput::subscribeToTool(ros::NodeHandle& node, int tool, const ToolSettings& settings,
+                                   const ToolForm& form) {
+  if (settings.frame.empty())
     subscribe<geometry_msgs::PoseStamped>(
-        node, entry.topic("pose"),
+        node, settings.name + "/servo_cp",
         [this, tool](const geometry_msgs::PoseStamped& message) { receivePose(tool, message); });
-  subscribe<std_msgs::Bool>(node, entry.topic("active"),
+  subscribe<std_msgs::Bool>(node, settings.name + "/active",
                             [this, tool](const std_msgs::Bool& message) { agenda_.activate(tool, message.data != 0); });
-}
-
-/// Whoever leads a tool that the scene lacks shall hear of it.
-void CommandInput::subscribeToNoTool(ros::NodeHandle& node) {
-  const auto refuse = [this](const std::string& topic) {
-    reporter_.refuseTool({Refusal::NO_TOOL, topic + ": the scene has no tool"});
-  };
-  const std::string pose = TOOL_TOPICS + "pose", active = TOOL_TOPICS + "active";
-  subscribe<geometry_msgs::PoseStamped>(node, pose, [=](const geometry_msgs::PoseStamped&) { refuse(pose); });
-  subscribe<std_msgs::Bool>(node, active, [=](const std_msgs::Bool&) { refuse(active); });
+  if (!form.has_jaw) return;
+  const Jaw jaw = {settings.jaw->joint, form.jaw};
+  subscribe<sensor_msgs::JointState>(
+      node, settings.name + "/jaw/servo_jp",
+      [this, tool, jaw](const sensor_msgs::JointState& message) { receiveJaw(tool, jaw, message); });
 }
 
 bool CommandInput::waitsFor(Nanoseconds time) const {
@@ -83,9 +78,20 @@ void CommandInput::receiveCut(const CutPlane& message) {
 
 void CommandInput::receivePose(int tool, const geometry_msgs::PoseStamped& message) {
   if (const auto refused = whyRefused(message))
-    reporter_.refuseTool(*refused);
+    reporter_.refuseTool(tool, *refused);
   else
     accept(toCommand(message, tool, body_frame_, std::chrono::steady_clock::now()));
+}
+
+/// Needs no transform.
+void CommandInput::receiveJaw(int tool, const Jaw& jaw, const sensor_msgs::JointState& message) {
+  if (const auto refused = whyRefused(message, jaw)) {
+    reporter_.refuseTool(tool, *refused);
+    return;
+  }
+  const auto received = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+  const Nanoseconds stamp = use_sim_time_ ? static_cast<Nanoseconds>(message.header.stamp.toNSec()) : 0;
+  agenda_.add(tool, ReceivedAngle{message.position[0], use_sim_time_ ? stamp : received}, stamp);
 }
 
 void CommandInput::accept(const Command& command) {
@@ -102,7 +108,7 @@ void CommandInput::release(const Command& command) {
   } else {  // waits for the next step, of which nobody needs to be told
     const auto received = std::chrono::nanoseconds(command.received.time_since_epoch()).count();
     const auto& asked = std::get<ToolPose>(command.action);
-    agenda_.add(asked.tool, {asked.pose, use_sim_time_ ? stamp : received, command.received}, stamp);
+    agenda_.add(asked.tool, ReceivedPose{asked.pose, use_sim_time_ ? stamp : received, command.received}, stamp);
   }
 }
 
@@ -110,7 +116,7 @@ void CommandInput::refuse(const Command& command, const Refused& refused) {
   if (const auto* plane = std::get_if<PlaneCut>(&command.action))
     reporter_.refuseCut(plane->label, refused);
   else
-    reporter_.refuseTool(refused);
+    reporter_.refuseTool(std::get<ToolPose>(command.action).tool, refused);
 }
 
 }  // namespace incision

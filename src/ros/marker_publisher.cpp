@@ -7,9 +7,9 @@
 namespace incision {
 namespace {
 
-std::vector<std::string> namesOf(const std::vector<ToolEntry>& tools) {
+std::vector<std::string> namesOf(const std::vector<ToolSettings>& tools) {
   std::vector<std::string> names;
-  for (const ToolEntry& tool : tools) names.push_back(tool.name());
+  for (const ToolSettings& tool : tools) names.push_back(tool.name);
   return names;
 }
 
@@ -33,7 +33,8 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
       field_(settings.marker_field),
       materials_(body.materials()),
       obstacles_(body.obstacles()),
-      contact_names_(contactNames(obstacles_, namesOf(settings.tools))),
+      contact_names_(contactNames(obstacles_, namesOf(settings.scene.tools))),
+      tool_names_(namesOf(settings.scene.tools)),
       next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
   if (settings.marker_rate == 0) return;
   period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.marker_rate));
@@ -44,8 +45,8 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
   cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("surface", 1);
   contact_publisher_ = node.advertise<Contacts>("contacts", 1);
   if (!obstacles_.shapes.empty()) obstacle_publisher_ = advertise("obstacles");
-  for (std::size_t i = 0; i < settings.tools.size(); ++i)
-    tools_.push_back({body.toolShapes(i), *body.toolEdge(i), advertise(settings.tools[i].topic("markers"))});
+  if (!tool_names_.empty()) tool_publisher_ = advertise("tool_markers");
+  for (std::size_t i = 0; i < tool_names_.size(); ++i) tool_forms_.push_back(body.toolForm(i));
   thread_ = std::thread([this] { run(); });
 }
 
@@ -67,11 +68,7 @@ void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>&
   snapshot.step = body.steps();
   if (wantsContacts()) snapshot.wrenches = body.wrenches();
   if (obstacle_publisher_.getNumSubscribers() > 0) snapshot.links = links;
-  for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
-    if (tools_[tool].publisher.getNumSubscribers() == 0) continue;
-    const Vec3 force = tool < last_step.tools.size() ? last_step.tools[tool].force : Vec3::Zero();
-    snapshot.tools.push_back({tool, ToolView{body.toolPose(tool), force}});
-  }
+  if (tool_publisher_.getNumSubscribers() > 0) snapshot.tools = toolViews(body, last_step);
   if (snapshot.empty()) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -94,6 +91,15 @@ void MarkerPublisher::addBody(const DeformableBody& body, Snapshot* snapshot) {
   if (snapshot->wants_markers && !body.scene().loads.empty()) snapshot->loads = body.loadForces();
 }
 
+std::vector<ToolView> MarkerPublisher::toolViews(const DeformableBody& body, const StepResult& last_step) const {
+  std::vector<ToolView> views;
+  for (std::size_t i = 0; i < tool_names_.size(); ++i) {
+    const Vec3 force = i < last_step.tools.size() ? last_step.tools[i].force : Vec3::Zero();
+    views.push_back({tool_names_[i], body.toolGroups(i), force});
+  }
+  return views;
+}
+
 std::vector<RegionStress> MarkerPublisher::regionStress() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return region_stress_;
@@ -109,8 +115,7 @@ void MarkerPublisher::publish(const Snapshot& snapshot) {
   if (snapshot.topology) publishBody(snapshot, stamp);
   if (snapshot.wrenches) publishContacts(snapshot, stamp);
   if (snapshot.links) obstacle_publisher_.publish(toMarkers(obstacles_, *snapshot.links, frame_, stamp));
-  for (const auto& [tool, view] : snapshot.tools)
-    tools_[tool].publisher.publish(toMarkers(tools_[tool].shapes, tools_[tool].edge, view, frame_, stamp));
+  if (snapshot.tools) tool_publisher_.publish(toMarkers(tool_forms_, *snapshot.tools, frame_, stamp));
 }
 
 void MarkerPublisher::publishContacts(const Snapshot& snapshot, const ros::Time& stamp) {

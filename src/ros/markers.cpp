@@ -53,27 +53,40 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std:
   return array;
 }
 
-visualization_msgs::MarkerArray toMarkers(const Obstacles& shapes, const Edge& edge, const ToolView& view,
+namespace {
+
+/// Adds what there is of a tool to see; one that is not in place is taken away.
+void addTool(const ToolForm& form, const ToolView& view, const std::string& frame, const ros::Time& stamp,
+             std::vector<Marker>* markers) {
+  const std::size_t first = markers->size();
+  const std::vector<Pose>& groups = view.groups;
+  const auto groupOf = [&](int group) { return groups.empty() ? Pose() : groups[static_cast<std::size_t>(group)]; };
+  markers->push_back(plainMarker(Marker::ARROW, view.name + "/force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp));
+  const Vec3 origin = groupOf(0).position, head = origin + FORCE_SCALE * (groupOf(0).orientation * view.force);
+  markers->back().scale = toVector3(ARROW_SIZE);
+  markers->back().points = {toPoint(origin), toPoint(head)};
+  if (view.force.isZero()) markers->back().action = Marker::DELETE;
+  int id = 0;
+  for (const ToolForm::GroupEdge& edge : form.edges) {
+    markers->push_back(
+        plainMarker(Marker::LINE_LIST, view.name + "/edge", id++, colour(0.10F, 0.10F, 0.12F), frame, stamp));
+    markers->back().scale.x = EDGE_WIDTH;
+    for (const Vec3& end : placed(edge.edge, groupOf(edge.group))) markers->back().points.push_back(toPoint(end));
+  }
+  id = 0;
+  for (const Obstacle& shape : form.shapes.shapes)
+    markers->push_back(markerOf(*shape.solid, composed(groupOf(shape.link), shape.pose), view.name + "/shape", id++,
+                                colour(0.75F, 0.77F, 0.80F), frame, stamp));
+  if (!groups.empty()) return;
+  for (std::size_t i = first; i < markers->size(); ++i) (*markers)[i].action = Marker::DELETE;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray toMarkers(const std::vector<ToolForm>& forms, const std::vector<ToolView>& views,
                                           const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
-  if (!view.pose) {
-    array.markers = {plainMarker(Marker::CUBE, "", 0, colour(0, 0, 0), frame, stamp)};
-    array.markers[0].action = Marker::DELETEALL;
-    return array;
-  }
-  array.markers = {plainMarker(Marker::LINE_LIST, "edge", 0, colour(0.10F, 0.10F, 0.12F), frame, stamp),
-                   plainMarker(Marker::ARROW, "force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp)};
-  array.markers[0].scale.x = EDGE_WIDTH;
-  for (const Vec3& end : placed(edge, *view.pose)) array.markers[0].points.push_back(toPoint(end));
-  const Vec3 head = view.pose->position + FORCE_SCALE * (view.pose->orientation * view.force);
-  array.markers[1].scale = toVector3(ARROW_SIZE);
-  array.markers[1].points = {toPoint(view.pose->position), toPoint(head)};
-  array.markers[1].action = view.force.isZero() ? Marker::DELETE : Marker::ADD;
-  for (const Obstacle& shape : shapes.shapes) {
-    const int id = static_cast<int>(array.markers.size());
-    array.markers.push_back(markerOf(*shape.solid, composed(*view.pose, shape.pose), "shape", id,
-                                     colour(0.75F, 0.77F, 0.80F), frame, stamp));
-  }
+  for (std::size_t i = 0; i < forms.size(); ++i) addTool(forms[i], views[i], frame, stamp, &array.markers);
   return array;
 }
 

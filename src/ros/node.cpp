@@ -52,22 +52,21 @@ IncisionNode::IncisionNode()
       body_(settings_.scene, loadMeshAloud(settings_.scene), settings_.descriptions),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
-      agenda_(settings_.tools.size()),
-      reporter_(node_, settings_.scene.body.frame, settings_.scene.fracture.has_value()),
+      agenda_(settings_.scene.tools.size()),
+      reporter_(node_, settings_.scene),
       markers_(node_, settings_, body_),
       state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
-      input_(node_, settings_, agenda_, reporter_, wakeup_),
+      input_(node_, settings_, body_, agenda_, reporter_, wakeup_),
       obstacles_(LinkLookup(input_.frames(), warnOfLinks("the obstacles")), linksOf(body_.obstacles()),
                  settings_.scene.solver.time_step),
       clamps_(input_.frames(), warnOfLinks("the clamps"), settings_.scene.boundary, settings_.scene.solver.time_step),
       spinner_(1) {
   for (const std::string& remark : remarksOn(body_.scene(), body_.mesh())) ROS_WARN_STREAM(remark);
-  for (std::size_t i = 0; i < settings_.tools.size(); ++i)
-    tools_.emplace_back(node_, i, settings_.tools[i], *body_.toolEdge(i), input_.frames(),
-                        settings_.scene.solver.time_step);
+  for (std::size_t i = 0; i < settings_.scene.tools.size(); ++i)
+    tools_.emplace_back(node_, i, settings_.scene, body_.toolForm(i), input_.frames());
   reporter_.setPieces(body_.counts().pieces);
   // Also because roscpp registers the node once more at its first message: were that the one that a node of the same
   // name has taken over, the master would end both.
@@ -178,7 +177,7 @@ bool IncisionNode::tryStep() {
     moveClamps(time);
     body_.wantWrenches(markers_.wantsContacts());
     last_step_ = body_.step();
-    for (ToolDriver& tool : tools_) tool.publishWrench(last_step_);
+    for (ToolDriver& tool : tools_) tool.publish(last_step_, body_);
     if (!last_step_.settled)
       ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, body_.unsettledSteps() << " steps so far whose contacts did not settle");
     error_.clear();
@@ -248,7 +247,11 @@ void IncisionNode::publishState() {
   state.late_commands = agenda_.late();
   state.thinned_poses = agenda_.thinned();
   state.ignored_transforms = obstacles_.ignored() + clamps_.ignored();
-  for (const ToolDriver& tool : tools_) tool.addTo(last_step_, &state);
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    state.tools.push_back(tools_[i].state(last_step_, body_));
+    state.tools.back().refused = reporter_.refusedOf(i);
+    state.ignored_transforms += tools_[i].ignored();
+  }
   state_.publish(state);
 }
 

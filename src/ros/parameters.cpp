@@ -41,9 +41,7 @@ NodeSettings loadSettings(const ros::NodeHandle& node) {
                                "marker_field", "transform_timeout", "max_lag"});
   NodeSettings settings;
   settings.scene = loadSceneParameter(node, sceneFolder(parameters));
-  settings.tools = toolsOf(settings.scene);
-  settings.descriptions.tool = toolDescription(node, settings.scene);
-  settings.descriptions.obstacles = obstacleDescription(node, &settings.scene);
+  settings.descriptions = readDescriptions(node, &settings.scene);
   settings.marker_rate = parameters.number("marker_rate", settings.marker_rate, {0, 1000});
   if (const auto field = parameters.find("marker_field"))
     settings.marker_field = field->choice<MarkerField>(

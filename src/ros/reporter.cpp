@@ -15,15 +15,18 @@ constexpr double WARNING_PERIOD = 2;
 
 }  // namespace
 
-Reporter::Reporter(ros::NodeHandle& node, const std::string& body_frame, bool breaks)
-    : body_frame_(body_frame), publisher_(node.advertise<CutReport>("cut_report", REPORT_QUEUE, true)) {
-  if (breaks) crack_publisher_ = node.advertise<CrackEvent>("crack_event", REPORT_QUEUE);
+Reporter::Reporter(ros::NodeHandle& node, const Scene& scene)
+    : body_frame_(scene.body.frame),
+      publisher_(node.advertise<CutReport>("cut_report", REPORT_QUEUE, true)),
+      of_tools_(scene.tools.size()) {
+  for (const ToolSettings& tool : scene.tools) tools_.push_back(tool.name);
+  if (scene.fracture) crack_publisher_ = node.advertise<CrackEvent>("crack_event", REPORT_QUEUE);
 }
 
 void Reporter::setPieces(int pieces) { pieces_ = pieces; }
 
 void Reporter::report(const CutResult& result) {
-  if (result.status == CutStatus::REJECTED) count({Refusal::BY_BODY, result.reason});
+  if (result.status == CutStatus::REJECTED) count("a cut", {Refusal::BY_BODY, result.reason});
   setPieces(result.pieces);
   publish(result);
 }
@@ -39,7 +42,7 @@ void Reporter::report(const CrackResult& result) {
 }
 
 void Reporter::refuseCut(const std::string& label, const Refused& refused) {
-  count(refused);
+  count("a cut", refused);
   CutResult result;
   result.label = label.substr(0, MAX_LABEL);
   result.status = CutStatus::REJECTED;
@@ -48,11 +51,14 @@ void Reporter::refuseCut(const std::string& label, const Refused& refused) {
   publish(result);
 }
 
-void Reporter::refuseTool(const Refused& refused) { count(refused); }
+void Reporter::refuseTool(int tool, const Refused& refused) {
+  ++of_tools_[static_cast<std::size_t>(tool)];
+  count("a message to the tool '" + tools_[static_cast<std::size_t>(tool)] + "'", refused);
+}
 
-void Reporter::count(const Refused& refused) {
+void Reporter::count(const std::string& whose, const Refused& refused) {
   ++counts_[static_cast<int>(refused.kind)];
-  ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "refused a command: " << refused.reason);
+  ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "refused " << whose << ": " << refused.reason);
 }
 
 void Reporter::publish(const CutResult& result) {
@@ -68,7 +74,6 @@ void Reporter::fillState(BodyState& state) const {
   state.rejected_out_of_range = count(Refusal::OUT_OF_RANGE);
   state.rejected_no_transform = count(Refusal::NO_TRANSFORM);
   state.rejected_overflow = count(Refusal::TOO_MANY);
-  state.rejected_no_tool = count(Refusal::NO_TOOL);
   state.rejected_by_body = count(Refusal::BY_BODY);
   state.rejected_by_reset = count(Refusal::BY_RESET);
 }

@@ -23,17 +23,21 @@ std::string readParameter(const ros::NodeHandle& node, const std::string& key) {
 
 }  // namespace
 
-std::string toolDescription(const ros::NodeHandle& node, const Scene& scene) {
-  const std::string key = scene.tool ? findParameter(node, "tool_description") : "";
-  return key.empty() ? loadDescription(scene) : readParameter(node, key);
-}
-
-std::string obstacleDescription(const ros::NodeHandle& node, Scene* scene) {
-  const std::string key = findParameter(node, "obstacle_description");
-  if (key.empty()) return loadObstacleDescription(*scene);
+Descriptions readDescriptions(const ros::NodeHandle& node, Scene* scene) {
+  const std::string of_tools = findParameter(node, "tool_description");
+  const std::string of_obstacles = findParameter(node, "obstacle_description");
+  Scene rest = *scene;  // what files are still to be read for
+  if (!of_tools.empty())
+    for (ToolSettings& tool : rest.tools) tool.description.clear();
+  if (!of_obstacles.empty()) rest.contact.reset();
+  Descriptions texts = loadDescriptions(rest);
+  if (!of_tools.empty() && !scene->tools.empty())
+    texts.tools.assign(scene->tools.size(), readParameter(node, of_tools));
+  if (of_obstacles.empty()) return texts;
   if (!scene->contact) scene->contact.emplace();
-  scene->contact->obstacles = key;
-  return readParameter(node, key);
+  scene->contact->obstacles = of_obstacles;
+  texts.obstacles = readParameter(node, of_obstacles);
+  return texts;
 }
 
 }  // namespace incision

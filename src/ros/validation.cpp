@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "incision/base/printable.h"
 #include "incision/pace/validation.h"
 #include "incision/ros/conversions.h"
 
@@ -34,6 +35,18 @@ std::optional<Refused> whyRefused(const geometry_msgs::PoseStamped& message) {
   if (auto refused = whyRefused(message.header)) return refused;
   const geometry_msgs::Quaternion& q = message.pose.orientation;
   return whyRefused(Pose{toVec3(message.pose.position), Eigen::Quaterniond(q.w, q.x, q.y, q.z)});
+}
+
+std::optional<Refused> whyRefused(const sensor_msgs::JointState& message, const Jaw& jaw) {
+  if (auto refused = whyRefused(message.header)) return refused;
+  const auto outOfRange = [](const std::string& reason) { return Refused{Refusal::OUT_OF_RANGE, reason}; };
+  if (message.position.size() != 1)
+    return outOfRange("position: " + std::to_string(message.position.size()) +
+                      " values (allowed: one, the jaw's angle; neither velocity nor effort is followed)");
+  if (message.name.size() > 1 || (message.name.size() == 1 && message.name[0] != jaw.joint))
+    return outOfRange("name: " + printable(message.name[0]) + " (allowed: none, or the jaw's joint " +
+                      printable(jaw.joint) + ")");
+  return whyRefused(message.position[0], jaw.angles);
 }
 
 Command toCommand(const CutPlane& message, const std::string& body_frame, SteadyTime received) {

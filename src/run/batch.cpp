@@ -157,7 +157,7 @@ BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& er
   const Scene scene = loadScene(options.scene, options.overrides);
   std::vector<std::string> notes;
   TetMesh mesh = loadMesh(scene, &notes);
-  DeformableBody body(scene, std::move(mesh), {loadDescription(scene), loadObstacleDescription(scene)});
+  DeformableBody body(scene, std::move(mesh), loadDescriptions(scene));
   for (const std::string& remark : remarksOn(body.scene(), body.mesh())) notes.push_back("warning: " + remark);
   body.wantWrenches(!options.record.empty());
   Outputs outputs = openOutputs(options, body);

@@ -25,7 +25,11 @@ void forEachColumn(const std::vector<Quantity>& quantities, const Function& f) {
 std::vector<Quantity> recorded(const DeformableBody& body, const StepResult& step) {
   std::vector<Quantity> quantities = quantitiesOf(body, step);
   for (const Quantity& wrench : wrenchQuantitiesOf(body)) quantities.push_back(wrench);
-  for (const Quantity& of_tool : toolQuantitiesOf(body, step)) quantities.push_back(of_tool);
+  for (std::size_t i = 0; i < body.tools(); ++i)
+    for (Quantity of_tool : toolQuantitiesOf(body, i, step)) {
+      of_tool.name = "tool_" + body.scene().tools[i].name + "_" + of_tool.name;
+      quantities.push_back(of_tool);
+    }
   return quantities;
 }
 

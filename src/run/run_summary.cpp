@@ -56,6 +56,7 @@ void StepStatistics::add(const StepResult& step) {
   last_.residual = step.residual;
   last_.solves = step.solves;
   last_.settled = step.settled;
+  last_.tools = step.tools;
   solves_.push_back(step.solves);
 }
 
@@ -89,6 +90,10 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
                       {"energy", statistics.last().contact.energy},
                       {"solves", {{"median", statistics.solvesQuantile(0.5)}, {"max", statistics.solvesQuantile(1)}}},
                       {"unsettled", body.unsettledSteps()}};
+  for (std::size_t i = 0; i < body.tools(); ++i)
+    for (const Quantity& quantity : toolQuantitiesOf(body, i, statistics.last()))
+      line["tools"][body.scene().tools[i].name][quantity.name] =
+          std::visit([](const auto& value) { return toJson(value); }, quantity.value);
   line["peak_rss_mb"] = peakMemory();
   line["state_hash"] = hexadecimal(body.stateHash());
   return line.dump();

@@ -43,7 +43,7 @@ const std::vector<Section>& sections() {
       {"fracture", false,
        [](const YamlValue& value, Scene* scene) { scene->fracture = parseFracture(value, scene->body.regions); }},
       {"contact", false, one(&Scene::contact, parseContact)},
-      {"tool", false, one(&Scene::tool, parseTool)},
+      {"tools", false, one(&Scene::tools, parseTools)},
   };
   return all;
 }
@@ -59,6 +59,8 @@ void checkRegions(const Scene& scene) {
 Scene parseSections(const YamlValue& root) {
   std::vector<std::string> keys;
   for (const Section& section : sections()) keys.push_back(section.key);
+  if (const auto tool = root.peek("tool"))
+    tool->fail("there may be several tools, each with a name (allowed: tools: {NAME: {type: blade, …}})");
   const YamlMap map = root.map(keys);
   Scene scene;
   for (const Section& section : sections()) {

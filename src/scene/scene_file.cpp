@@ -65,7 +65,10 @@ void applyOverride(const YAML::Node& root, const std::string& override_text) {
 void loadPoses(Scene* scene) {
   for (Clamp& clamp : scene->boundary)
     if (!clamp.poses_file.empty()) clamp.poses = readPoses(clamp.poses_file);
-  if (scene->tool && !scene->tool->poses_file.empty()) scene->tool->poses = readPoses(scene->tool->poses_file);
+  for (ToolSettings& tool : scene->tools) {
+    if (!tool.poses_file.empty()) tool.poses = readPoses(tool.poses_file);
+    if (tool.jaw && !tool.jaw->file.empty()) tool.jaw->angles = readAngles(tool.jaw->file);
+  }
 }
 
 Scene loadScene(const std::string& path, const std::vector<std::string>& overrides) {
@@ -86,20 +89,12 @@ TetMesh loadMesh(const Scene& scene, std::vector<std::string>* notes) {
   return scene.body.grid ? gridMesh(*scene.body.grid) : readPlacedMeshes(scene.body.meshes, notes);
 }
 
-std::string loadDescription(const Scene& scene) {
-  if (!scene.tool) return "";
-  const ToolSettings& tool = *scene.tool;
-  const bool has_shapes = !tool.description.empty() && !tool.link.empty();
-  const auto& regions = scene.body.regions;
-  const bool resists = tool.cutting_force > 0 || std::any_of(regions.begin(), regions.end(), [](const auto& region) {
-                         return region.cutting_force.value_or(0) > 0;
-                       });
-  const bool needs_shapes = scene.contact || resists;
-  return !tool.edge || (has_shapes && needs_shapes) ? readText(tool.description) : "";
-}
-
-std::string loadObstacleDescription(const Scene& scene) {
-  return scene.contact && !scene.contact->obstacles.empty() ? readText(scene.contact->obstacles) : "";
+Descriptions loadDescriptions(const Scene& scene) {
+  Descriptions texts;
+  for (const ToolSettings& tool : scene.tools)
+    texts.tools.push_back(tool.description.empty() ? "" : readText(tool.description));
+  if (scene.contact && !scene.contact->obstacles.empty()) texts.obstacles = readText(scene.contact->obstacles);
+  return texts;
 }
 
 }  // namespace incision

@@ -4,20 +4,40 @@
 #include <utility>
 
 namespace incision {
+namespace {
 
-Tool::Tool(const ToolSettings& settings, std::unique_ptr<ToolContact> touching)
-    : settings_(settings), touching_(std::move(touching)) {
-  if (touching_) touching_->setTool(&in_step_);
+/// Whether the scene tells what is then. Before its first entry and after its last it does not.
+template <class Series>
+bool tells(const Series& series, double time) {
+  return !series.empty() && time >= series.front().time - DUE_TOLERANCE && time <= series.back().time + DUE_TOLERANCE;
 }
 
-const Obstacles& Tool::shapes() const {
-  static const Obstacles none;
-  return touching_ ? touching_->shapes() : none;
+}  // namespace
+
+Tool::Tool(const ToolSettings& settings, Touching touching) : settings_(settings), touching_(std::move(touching)) {
+  for (const auto& contact : touching_) contact->setTool(&in_step_);
+}
+
+ToolForm Tool::form() const {
+  ToolForm form;
+  form.groups = groups();
+  for (int g = 0; g < form.groups; ++g) form.shapes.links.push_back({settings_.link, Pose()});
+  double reach = 0;
+  for (const auto& contact : touching_)
+    for (Obstacle shape : contact->shapes().shapes) {
+      shape.link = contact->group();
+      form.shapes.shapes.push_back(shape);
+      const Pose pose = composed(groupPose(shape.link, tool_.jaw), shape.pose);
+      reach = std::max(reach, pose.position.norm() + shape.solid->reach());
+    }
+  form.extent = {Vec3(reach, 0, 0), Vec3(0, reach, 0)};
+  return form;
 }
 
 std::vector<Coupler*> Tool::couplers() {
-  if (!touching_) return {};
-  return {touching_.get()};
+  std::vector<Coupler*> list;
+  for (const auto& contact : touching_) list.push_back(contact.get());
+  return list;
 }
 
 void Tool::guide(const std::vector<Pose>& path) {
@@ -46,41 +66,76 @@ std::optional<CutResult> Tool::activate(bool active) {
 
 void Tool::startStep(double time, double time_step, const std::vector<Vec3>& x) {
   const std::optional<Pose> from = tool_.pose ? tool_.pose : scriptedPose(time);
+  const std::size_t count = static_cast<std::size_t>(groups());
   way_.clear();
-  in_step_ = ToolInStep();
   in_step_.in_place = from.has_value();
   in_step_.active = tool_.active;
+  in_step_.groups.assign(count, RigidMotion());
+  in_step_.felt.assign(count, Wrench());
+  startJaw(time, time_step);
   if (!from) return;
   way_ = tool_.path;
   if (const std::optional<Pose> pose = scriptedPose(time + time_step)) way_.push_back(*pose);
-  in_step_.motion = {*from, way_.empty() ? *from : way_.back()};
-  start(*from, x);
+  if (way_.empty() && in_step_.jaw_to != in_step_.jaw_from) way_.push_back(*from);
+  findWays(*from);
+  for (std::size_t g = 0; g < ways_.size(); ++g) in_step_.groups[g] = {ways_[g].front(), ways_[g].back()};
+  start(x);
+}
+
+/// What is not in place turns its joint at once.
+void Tool::startJaw(double time, double time_step) {
+  in_step_.jaw_to = tool_.jaw_to.value_or(scriptedJaw(time + time_step).value_or(tool_.jaw));
+  in_step_.jaw_from = tool_.jaw;
+  if (!tool_.pose) in_step_.jaw_from = scriptedJaw(time).value_or(in_step_.in_place ? tool_.jaw : in_step_.jaw_to);
+}
+
+/// The joint turns evenly while the link goes from here along its way.
+void Tool::findWays(const Pose& from) {
+  const double turn = in_step_.jaw_to - in_step_.jaw_from, legs = static_cast<double>(way_.size());
+  ways_.resize(in_step_.groups.size());
+  for (std::size_t g = 0; g < ways_.size(); ++g) {
+    const int group = static_cast<int>(g);
+    ways_[g].clear();
+    ways_[g].push_back(composed(from, groupPose(group, in_step_.jaw_from)));
+    for (std::size_t k = 0; k < way_.size(); ++k) {
+      const double share = static_cast<double>(k + 1) / legs;
+      ways_[g].push_back(composed(way_[k], groupPose(group, in_step_.jaw_from + share * turn)));
+    }
+  }
 }
 
 std::optional<CutResult> Tool::endStep(double time_step, const Motion& motion, MeshDoor* door) {
+  tool_.jaw = in_step_.jaw_to;
+  tool_.jaw_to.reset();
   if (!in_step_.in_place) return std::nullopt;
-  tool_.pose = in_step_.motion.to;
+  tool_.pose = in_step_.groups[0].to;
   tool_.path.clear();
   if (!in_step_.active) return std::nullopt;
-  return act(in_step_.motion.from, way_, time_step, motion, door);
+  return act(time_step, motion, door);
 }
 
 ToolReport Tool::report() const {
   ToolReport report;
-  if (!tool_.pose) return report;
-  const Wrench felt = seenFrom(in_step_.motion.from, in_step_.felt);
+  if (!tool_.pose || in_step_.felt.empty()) return report;
+  Wrench sum;
+  for (const Wrench& felt : in_step_.felt) sum += felt;
+  const Wrench felt = seenFrom(in_step_.groups[0].from, sum);
   report.force = felt.force;
   report.torque = felt.torque;
   report.touching = !felt.force.isZero(0);
+  report.jaw = tool_.jaw;
   return report;
 }
 
 /// The pose that the scene gives for a time, if it gives one.
 std::optional<Pose> Tool::scriptedPose(double at) const {
-  const std::vector<TimedPose>& poses = settings_.poses;
-  if (poses.empty() || at < poses.front().time - DUE_TOLERANCE || at > poses.back().time + DUE_TOLERANCE)
-    return std::nullopt;
-  return poseAt(poses, at);
+  if (!tells(settings_.poses, at)) return std::nullopt;
+  return poseAt(settings_.poses, at);
+}
+
+std::optional<double> Tool::scriptedJaw(double at) const {
+  if (!settings_.jaw || !tells(settings_.jaw->angles, at)) return std::nullopt;
+  return angleAt(settings_.jaw->angles, at);
 }
 
 }  // namespace incision

@@ -77,10 +77,10 @@ def states_of(cells, seconds):
         rospy.wait_for_message('/body/state', BodyState, timeout=60)
         subscriber = rospy.Subscriber('/body/state', BodyState, states.append, queue_size=None, tcp_nodelay=True)
         with running('incision_scalpel', 'scalpel', {'path': path(), 'speed': WAY / seconds, 'rate': RATE},
-                     ['/scalpel/pose:=/body/tool_pose']):
+                     ['/scalpel/pose:=/body/scalpel/servo_cp']):
             time.sleep(seconds)
         subscriber.unregister()
-    return [state for state in states if state.tool_depth > 0 and state.tool_latency > 0]
+    return [state for state in states if state.tools[0].depth > 0 and state.tools[0].latency > 0]
 
 
 def percentile(values, share):
@@ -95,7 +95,7 @@ def measure(cells, seconds):
     states = states_of(cells, seconds)
     if len(states) < 10:
         sys.exit(f'latency.py: only {len(states)} steps followed a pose in the tissue')
-    newest = [1e3 * state.tool_latency for state in states]
+    newest = [1e3 * state.tools[0].latency for state in states]
     between = [1e3 * (b.header.stamp - a.header.stamp).to_sec() for a, b in zip(states, states[1:])]
     cutting = [b.step_ms for a, b in zip(states, states[1:]) if b.parts > a.parts]
     older = [latency + (k + 0.5) / SHARES * pause for latency, pause in zip(newest[1:], between) for k in range(SHARES)]

@@ -56,7 +56,7 @@ Scene cutPlate() {
 Scene cutOrgan() {
   Scene scene =
       loadScene(INCISION_SOURCE_DIR "/config/scenes/demo.yaml", {"solver.time_step=0.005", "solver.tolerance=1e-4"});
-  scene.tool.reset();
+  scene.tools.clear();
   scene.cuts = {square(0.4, Vec3(0.07, 0.05, -0.01), Vec3(1, 0, -0.2), 0.09),
                 plane(0.6, Vec3(0.135, 0, -0.07), Vec3(0.7, 0.2, -0.7)),
                 square(0.8, Vec3(0.11, -0.045, -0.04), Vec3(0.8, 0, -0.6), 0.09)};

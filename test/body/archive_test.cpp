@@ -10,6 +10,7 @@
 #include "support/contacts.h"
 #include "support/failing_solver.h"
 #include "support/sanitized.h"
+#include "support/tool.h"
 #include "support/turning.h"
 
 namespace incision::test {
@@ -95,7 +96,7 @@ Case ledBar() {
 Case guidedBlade() {
   Case made{plateAndBlade()};
   made.scene.solver.method = Method::AUTO;
-  made.scene.tool->cutting_force = 20;
+  bladeOf(&made.scene.tools[0]).cutting_force = 20;
   made.command = [](DeformableBody* body, std::int64_t step) {
     const double x = -0.05 + 0.02 * static_cast<double>(step);
     if (step == 20 || step == 26) body->activateTool(step == 26);
@@ -257,7 +258,7 @@ TEST(SavedBodies, LeaveABodyAsItIsWhereTheyDoNotFit) {
   EXPECT_THROW(restore(&other, bytes.substr(0, bytes.size() - 1)), InputError);
   std::vector<Scene> others(4, one.scene);
   others[0].body.grid->cells = {8, 4, 3};
-  others[1].tool.reset();
+  others[1].tools.clear();
   others[2].fracture.reset();
   others[3].contact.reset();
   for (const Scene& scene : others) {

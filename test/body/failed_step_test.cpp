@@ -8,6 +8,7 @@
 #include "support/failing_solver.h"
 #include "support/rig.h"
 #include "support/sanitized.h"
+#include "support/tool.h"
 
 namespace incision::test {
 namespace {
@@ -51,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, FailedStep, ::testing::Values(Method::DIRECT, 
 Scene turningBlade() {
   Scene scene = plateAndBlade();
   scene.gravity = Vec3(0, 0, -0.1);
-  scene.tool->cutting_force = 200;
+  bladeOf(&scene.tools[0]).cutting_force = 200;
   scene.solver.time_step = 0.02;
   return scene;
 }
@@ -85,7 +86,7 @@ TEST(HalvedStep, TellsTheWrenchThatTheMomentumTells) {
 
 TEST(FailedSteps, TellOfWhatTookEffectBeforeThemOnce) {
   Scene scene = plateAndBlade();
-  scene.tool.reset();
+  scene.tools.clear();
   scene.gravity = Vec3(0, 0, 1e308);
   PlaneCut plane;
   plane.label = "first";
@@ -121,7 +122,7 @@ TEST(FailedSteps, AreTakenWithThePathThatTheToolHadBefore) {
 
 TEST(Tools, ThatAreNotThereAreRefused) {
   Scene scene = plateAndBlade();
-  scene.tool.reset();
+  scene.tools.clear();
   DeformableBody body(scene, loadMesh(scene));
   EXPECT_EQ(body.tools(), 0u);
   EXPECT_THROW(body.guideTool({Pose()}), std::out_of_range);

@@ -24,7 +24,7 @@ Scene cutMidway(Scene scene, const PlaneCut& cut) {
 }
 
 int totalIterations(const Scene& scene) {
-  DeformableBody body(scene, loadMesh(scene), {loadDescription(scene), ""});
+  DeformableBody body(scene, loadMesh(scene), loadDescriptions(scene));
   int total = 0;
   for (int k = 0; k < STEPS; ++k) {
     const StepResult step = body.step();

@@ -20,7 +20,7 @@ Pose at(double y) {
 
 /// A bar along x from y = 0 to 0.2, held at its left end, and a ball that stands clear of its tip.
 struct MovedObstacleTest : testing::Test {
-  MovedObstacleTest() : body(scene(), gridMesh({{8, 2, 2}, Vec3(1, 0.2, 0.2), Vec3::Zero()}), {"", BALL}) {
+  MovedObstacleTest() : body(scene(), gridMesh({{8, 2, 2}, Vec3(1, 0.2, 0.2), Vec3::Zero()}), {{}, BALL}) {
     body.placeObstacle(0, at(-0.2));
     body.step();
   }

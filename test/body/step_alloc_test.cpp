@@ -6,6 +6,7 @@
 
 #include "support/allocation_count.h"
 #include "support/scenes.h"
+#include "support/tool.h"
 
 namespace incision::test {
 namespace {
@@ -69,8 +70,8 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
   posed.loads = {pressure};
   EXPECT_EQ(allocationsOfUncutSteps(posed), 0);
   Scene with_tool = barWith(Method::ITERATIVE, SMALL);
-  with_tool.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)}};
-  with_tool.tool->poses = {{0, {Vec3(0, 0, 50), Eigen::Quaterniond::Identity()}}};
+  with_tool.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)})};
+  with_tool.tools[0].poses = {{0, {Vec3(0, 0, 50), Eigen::Quaterniond::Identity()}}};
   EXPECT_EQ(allocationsOfUncutSteps(with_tool), 0);
 }
 

@@ -45,7 +45,7 @@ std::vector<double> forces(int cells, const std::vector<double>& depths, const M
   scene.contact = ContactSettings();
   scene.contact->friction = 0;
   scene.contact->obstacles = "ball.urdf";
-  DeformableBody body(scene, gradedBlock(cells), {"", urdfOf("<sphere radius='1'/>", "0 0 1")});
+  DeformableBody body(scene, gradedBlock(cells), {{}, urdfOf("<sphere radius='1'/>", "0 0 1")});
   std::vector<double> found;
   double depth = 0;
   for (const double next : depths) {

@@ -25,7 +25,7 @@ NEARLY_ALL = 0.9  # of the area of cut faces; they stretch later, and slivers co
 def read_force(path):
     """Times [s] and magnitudes of the force on the tool [N]."""
     with open(path, newline='', encoding='ascii') as record:
-        rows = [[float(row[name]) for name in ('time', 'tool_force_x', 'tool_force_y', 'tool_force_z')]
+        rows = [[float(row[name]) for name in ('time', 'tool_scalpel_force_x', 'tool_scalpel_force_y', 'tool_scalpel_force_z')]
                 for row in csv.DictReader(record)]
     rows = np.array(rows)
     return rows[:, 0], np.linalg.norm(rows[:, 1:], axis=1)

@@ -33,8 +33,8 @@ class Handle(unittest.TestCase):
     def setUpClass(cls):
         cls.client = Client()
         cls.poses, cls.active, cls.planes, cls.shown = [], [], [], []
-        rospy.Subscriber('/incision/tool_pose', PoseStamped, cls.poses.append)
-        rospy.Subscriber('/incision/tool_active', Bool, lambda message: cls.active.append(message.data))
+        rospy.Subscriber('/incision/tool/servo_cp', PoseStamped, cls.poses.append)
+        rospy.Subscriber('/incision/tool/active', Bool, lambda message: cls.active.append(message.data))
         rospy.Subscriber('/incision/cut_plane', CutPlane, cls.planes.append)
         rospy.Subscriber('/incision_handle/markers/update_full', InteractiveMarkerInit, cls.shown.append)
         cls.feedback = rospy.Publisher('/incision_handle/markers/feedback', InteractiveMarkerFeedback, queue_size=100)

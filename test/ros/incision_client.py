@@ -17,16 +17,18 @@ TIMEOUT = 40.0  # [s] wall time; far above what anything here takes, on a busy m
 class Client:
     """Talks to one node and remembers what it says."""
 
-    def __init__(self, name='/incision', tool_poses=True):
-        """`tool_poses`: the node listens to them, which it does not when it has its tool's pose from tf."""
+    def __init__(self, name='/incision', tool='tool', tool_poses=True):
+        """`tool`: name of the scene's, or of one of them. `tool_poses`: the node listens to its poses, which it does not
+        when it has them from tf."""
+        self.tool_name = tool
         self.states, self.reports, self.wrenches = [], [], []
         self._news = threading.Condition()
         rospy.Subscriber(name + '/state', BodyState, lambda message: self._keep(self.states, message))
         rospy.Subscriber(name + '/cut_report', CutReport, lambda message: self._keep(self.reports, message))
-        rospy.Subscriber(name + '/tool_wrench', WrenchStamped, lambda message: self._keep(self.wrenches, message))
+        rospy.Subscriber(f'{name}/{tool}/measured_cf', WrenchStamped, lambda message: self._keep(self.wrenches, message))
         self._cuts = rospy.Publisher(name + '/cut_plane', CutPlane, queue_size=10000, tcp_nodelay=True)
-        self._poses = rospy.Publisher(name + '/tool_pose', PoseStamped, queue_size=1000)
-        self._tool_active = rospy.Publisher(name + '/tool_active', Bool, queue_size=10, latch=True)
+        self._poses = rospy.Publisher(f'{name}/{tool}/servo_cp', PoseStamped, queue_size=1000)
+        self._tool_active = rospy.Publisher(f'{name}/{tool}/active', Bool, queue_size=10, latch=True)
         self._services = {}
         for service, kind in (('pause', SetBool), ('step', Trigger), ('reset', Trigger)):
             rospy.wait_for_service(f'{name}/{service}', TIMEOUT)
@@ -55,6 +57,14 @@ class Client:
     @property
     def state(self):
         return self.states[-1]
+
+    def tool_in(self, state):
+        """What a state says of the tool."""
+        return next(tool for tool in state.tools if tool.name == self.tool_name)
+
+    @property
+    def tool(self):
+        return self.tool_in(self.state)
 
     def next_state(self):
         """A state that was published after this call."""
@@ -106,7 +116,7 @@ class Client:
 
     def activate_tool(self, active=True):
         self._tool_active.publish(active)
-        self.wait_for(lambda: self.state.tool_active == active, f'tool_active: {active}')
+        self.wait_for(lambda: self.tool.active == active, f'the tool to be active: {active}')
 
 
 def wait_for(condition, what, timeout=TIMEOUT):

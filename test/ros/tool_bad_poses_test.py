@@ -33,7 +33,7 @@ class ToolBadPoses(unittest.TestCase):
     def setUp(self):
         self.client.pause(False)
         self.client.reset()
-        self.start, self.jumps = self.client.state.header.stamp, self.client.state.tool_jumps
+        self.start, self.jumps = self.client.state.header.stamp, self.client.tool.jumps
         self.client.lead_tool(tool_line((X, BEFORE, 0), HERE))
         self.in_body = self.client.after_steps(10)
 
@@ -61,14 +61,14 @@ class ToolBadPoses(unittest.TestCase):
         self.assertEqual(2, self.client.after_steps(10).pieces)
         self.assertEqual([('tool', CutReport.APPLIED, 2)], [(report.label, report.status, report.pieces)
                                                             for report in self.client.reports_after(self.start)])
-        self.assertEqual((count, self.jumps), (self.rejected(), self.client.state.tool_jumps))
+        self.assertEqual((count, self.jumps), (self.rejected(), self.client.tool.jumps))
 
     def test_a_tool_far_away_has_jumped(self):
         """As far as a pose may be, which no stroke follows, and back."""
         for position in ((1e9, -1e9, 1e9), (X, BEFORE, 0)):
             self.client.move_tool(tool_pose(position))
             self.client.after_steps(10)
-        self.assertEqual(self.jumps + 2, self.client.state.tool_jumps)
+        self.assertEqual(self.jumps + 2, self.client.tool.jumps)
         self.assertEqual((self.in_body.crack_elements, 1), (self.client.state.crack_elements, self.client.state.pieces))
         self.client.lead_tool(tool_line((X, BEFORE, 0), (X, BEYOND, 0)))
         self.assertEqual(2, self.client.after_steps(10).pieces)

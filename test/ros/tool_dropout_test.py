@@ -32,7 +32,7 @@ class ToolDropout(unittest.TestCase):
     def setUp(self):
         self.client.reset()
         self.client.activate_tool()
-        self.start, self.jumps = self.client.state.header.stamp, self.client.state.tool_jumps
+        self.start, self.jumps = self.client.state.header.stamp, self.client.tool.jumps
 
     def draw(self, *ys):
         """Leads the blade from each y to the next."""
@@ -47,15 +47,15 @@ class ToolDropout(unittest.TestCase):
                          [(report.label, report.status, report.pieces) for report in reports])
 
     def jumped(self):
-        return self.client.state.tool_jumps - self.jumps
+        return self.client.tool.jumps - self.jumps
 
     def wait_for_stale(self):
-        return self.client.wait_for(lambda: self.client.state.tool_stale and self.client.state, 'tool_stale')
+        return self.client.wait_for(lambda: self.client.tool.stale and self.client.state, 'the tool to be stale')
 
     def test_a_blade_that_is_off_cuts_nothing(self):
         self.client.activate_tool(False)
         state = self.draw(BEFORE, BEYOND)
-        self.assertEqual((0, 1, 0), (state.crack_elements, state.pieces, state.stroke_area))
+        self.assertEqual((0, 1, 0), (state.crack_elements, state.pieces, self.client.tool_in(state).area))
         self.check_reports()
         self.client.activate_tool()
         self.assertEqual(2, self.draw(BEYOND, BEFORE).pieces)
@@ -85,7 +85,7 @@ class ToolDropout(unittest.TestCase):
         seen, last = len(self.client.states), rospy.Time.now()
         self.client.move_tool(tool_pose((X, INSIDE, 0)))
         self.wait_for_stale()
-        first = next(state for state in self.client.states[seen:] if state.tool_stale)
+        first = next(state for state in self.client.states[seen:] if self.client.tool_in(state).stale)
         self.assertGreaterEqual((first.header.stamp - last).to_sec(), TIMEOUT)
 
     def test_a_stale_wrench_is_told_once(self):
@@ -105,9 +105,10 @@ class ToolDropout(unittest.TestCase):
         cut = self.draw(BEFORE, INSIDE)
         self.wait_for_stale()
         held = self.client.after_steps(30)
-        self.assertTrue(held.tool_stale)
+        self.assertTrue(self.client.tool_in(held).stale)
         self.assertEqual(of_cuts(cut), of_cuts(held))
-        self.assertEqual((cut.tool_depth, cut.stroke_area), (held.tool_depth, held.stroke_area))
+        then, now = self.client.tool_in(cut), self.client.tool_in(held)
+        self.assertEqual((then.depth, then.area), (now.depth, now.area))
         self.check_reports()
         seen = len(self.client.wrenches)
         self.assertEqual(2, self.draw(INSIDE, BEYOND).pieces)
@@ -121,13 +122,13 @@ class ToolDropout(unittest.TestCase):
 
         def stale():
             self.client.move_tool(tool_pose((X, math.nan, 0)))
-            return self.client.state.tool_stale
-        self.client.wait_for(stale, 'tool_stale')
+            return self.client.tool.stale
+        self.client.wait_for(stale, 'the tool to be stale')
 
     def test_a_jump_across_the_body_cuts_nothing(self):
         self.client.lead_tool(tool_line((X, BEFORE - 0.02, 0), (X, BEFORE, 0)))
         state = self.draw(BEYOND, BEYOND + 0.05)
-        self.assertEqual((0, 1, 0), (state.crack_elements, state.pieces, state.stroke_area))
+        self.assertEqual((0, 1, 0), (state.crack_elements, state.pieces, self.client.tool_in(state).area))
         self.check_reports()
         self.assertEqual(1, self.jumped())
         self.assertEqual(2, self.draw(BEYOND + 0.05, BEFORE).pieces)
@@ -137,7 +138,7 @@ class ToolDropout(unittest.TestCase):
         cut = self.draw(BEFORE, INSIDE)
         after = self.draw(BEYOND, BEYOND + 0.05)
         self.assertEqual(of_cuts(cut), of_cuts(after))
-        self.assertEqual(0, after.tool_depth)
+        self.assertEqual(0, self.client.tool_in(after).depth)
         self.check_reports(1)
         self.assertEqual(1, self.jumped())
 

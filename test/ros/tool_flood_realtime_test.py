@@ -33,7 +33,7 @@ def scalpel(**parameters):
     """A node that leads the tool."""
     rospy.set_param('/knife', parameters)
     program = roslib.packages.find_node('incision', 'incision_scalpel')[0]
-    node = subprocess.Popen([program, '__name:=knife', '/knife/pose:=/incision/tool_pose'])
+    node = subprocess.Popen([program, '__name:=knife', '/knife/pose:=/incision/tool/servo_cp'])
     try:
         yield
     finally:
@@ -43,7 +43,7 @@ def scalpel(**parameters):
 
 def poses_sent():
     """And when. Listens no longer than it takes, since Python is too slow for all of them."""
-    pose = rospy.wait_for_message('/incision/tool_pose', PoseStamped, TIMEOUT)
+    pose = rospy.wait_for_message('/incision/tool/servo_cp', PoseStamped, TIMEOUT)
     return pose.header.seq, time.monotonic()
 
 
@@ -68,16 +68,17 @@ class ToolFlood(unittest.TestCase):
             flooded = self.steps_per_second(SECONDS)
             last, end = poses_sent()
             states = self.client.states[seen:]
+            tools = [self.client.tool_in(state) for state in states]
             self.assertGreater((last - first) / (end - start), 0.95 * RATE)
         self.assertGreater(flooded, 0.9 * idle)
         self.assertLess(resident_mb(self.pid) - memory, MEMORY)
         # The poses were followed, into the tissue and out of it, and none had to wait.
-        self.assertGreater(sum(state.tool_depth > 0 for state in states), len(states) / 4)
-        self.assertGreater(sum(state.tool_depth == 0 for state in states), len(states) / 8)
-        self.assertLess(statistics.median(state.tool_latency for state in states), TIME_STEP)
+        self.assertGreater(sum(tool.depth > 0 for tool in tools), len(states) / 4)
+        self.assertGreater(sum(tool.depth == 0 for tool in tools), len(states) / 8)
+        self.assertLess(statistics.median(tool.latency for tool in tools), TIME_STEP)
         # A busy machine may hold the sender up for a step, now and then.
-        self.assertLess(sum(state.tool_latency == 0 for state in states), len(states) / 20)
-        self.assertEqual((0, 0), (states[-1].tool_jumps, states[-1].rejected_overflow))
+        self.assertLess(sum(tool.latency == 0 for tool in tools), len(states) / 20)
+        self.assertEqual((0, 0), (tools[-1].jumps, states[-1].rejected_overflow))
         self.assertEqual(1, states[-1].cracks)
 
 

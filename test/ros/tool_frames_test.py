@@ -51,7 +51,7 @@ class ToolFrames(unittest.TestCase):
         states, stamp = self.seen[client]
         self.assertEqual([('tool', CutReport.APPLIED, 2)],
                          [(report.label, report.status, report.pieces) for report in client.reports_after(stamp)])
-        self.assertFalse(any(state.tool_stale for state in client.states[states:]))
+        self.assertFalse(any(client.tool_in(state).stale for state in client.states[states:]))
         self.assertEqual(1, client.state.cracks)
 
     def test_poses_without_stamp_take_the_frame_where_it_is_now(self):
@@ -86,19 +86,19 @@ class ToolFrames(unittest.TestCase):
 
     def test_a_frame_that_is_sent_no_more_is_stale(self):
         self.lead_frame(X, YS[:30])
-        self.by_tf.wait_for(lambda: self.by_tf.state.tool_stale, 'tool_stale')
+        self.by_tf.wait_for(lambda: self.by_tf.tool.stale, 'the tool to be stale')
         held = self.by_tf.state
         self.assertGreater(held.crack_elements, 0)
         self.assertEqual(held.crack_elements, self.by_tf.after_steps(10).crack_elements)
         self.lead_frame(X, YS[30:])
-        self.assertFalse(self.by_tf.state.tool_stale)
+        self.assertFalse(self.by_tf.tool.stale)
         self.by_tf.wait_for(lambda: self.by_tf.state.pieces == 2, 'the bar to be cut in two')
 
     def test_poses_go_unheard_where_the_tool_is_a_frame(self):
         _, subscribers, _ = rosgraph.Master('/tool_frames_test').getSystemState()
         heard = {topic: nodes for topic, nodes in subscribers}
-        self.assertIn('/incision', heard.get('/incision/tool_pose', []))
-        self.assertNotIn('/by_tf', heard.get('/by_tf/tool_pose', []))
+        self.assertIn('/incision', heard.get('/incision/tool/servo_cp', []))
+        self.assertNotIn('/by_tf', heard.get('/by_tf/tool/servo_cp', []))
 
 
 if __name__ == '__main__':

@@ -23,7 +23,7 @@ def as_tuple(vector):
 class ToolMarkers(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.client = Client()
+        cls.client = Client(tool='die')
         cls.arrays = []
         rospy.Subscriber('/incision/tool_markers', MarkerArray, cls.arrays.append)
 

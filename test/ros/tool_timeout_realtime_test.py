@@ -18,8 +18,8 @@ class ToolTimeout(unittest.TestCase):
         client = Client()
         seen, last = len(client.states), rospy.Time.now()
         client.move_tool(tool_pose(OUTSIDE))
-        client.wait_for(lambda: any(state.tool_stale for state in client.states[seen:]), 'tool_stale')
-        stale = next(state for state in client.states[seen:] if state.tool_stale)
+        client.wait_for(lambda: any(client.tool_in(state).stale for state in client.states[seen:]), 'the tool to be stale')
+        stale = next(state for state in client.states[seen:] if client.tool_in(state).stale)
         self.assertGreaterEqual((stale.header.stamp - last).to_sec(), TIMEOUT)
         self.assertLess((stale.header.stamp - last).to_sec(), TIMEOUT + NOTICED)
 

@@ -177,19 +177,20 @@ TEST_F(Batch, RecordTellsWhatClampsAndObstaclesBear) {
 
 // A blade goes down through the bar and cuts 0.25 m x 0.25 m against 40 N/m.
 TEST_F(Batch, RecordTellsWhatTheTissueDoesToTheTool) {
-  ASSERT_EQ(
-      run({file("bar.yaml"), "--steps", "30", "--set", "cuts=[]", "--set", "body.grid.cells=[4,4,4]", "--set",
-           "gravity=[0,0,0]", "--set",
-           "tool={edge: [[0, -1, 0], [0, 1, 0]], cutting_force: 40, friction: 0, poses: [[0, 0.6, 0, 0.5, 0, 0, 0, 1], "
-           "[0.3, 0.6, 0, -0.25, 0, 0, 0, 1]]}",
-           "--record", file("run.csv")}),
-      BatchStatus::DONE)
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "30", "--set", "cuts=[]", "--set", "body.grid.cells=[4,4,4]", "--set",
+                 "gravity=[0,0,0]", "--set",
+                 "tools={scalpel: {type: blade, edge: [[0, -1, 0], [0, 1, 0]], cutting_force: 40, friction: 0, poses: "
+                 "[[0, 0.6, 0, 0.5, 0, 0, 0, 1], "
+                 "[0.3, 0.6, 0, -0.25, 0, 0, 0, 1]]}}",
+                 "--record", file("run.csv")}),
+            BatchStatus::DONE)
       << err_.str();
   const auto columns = columnsOf(lines("run.csv"));
-  for (const char* name : {"tool_force_x", "tool_force_y", "tool_torque_x", "tool_torque_y", "tool_torque_z"})
+  for (const char* name :
+       {"tool_scalpel_force_x", "tool_scalpel_force_y", "tool_scalpel_torque_y", "tool_scalpel_torque_z"})
     EXPECT_EQ(columns.count(name), 1u) << name;
-  const std::vector<double>&force = columns.at("tool_force_z"), &torque = columns.at("tool_torque_x"),
-        &depth = columns.at("tool_depth"), &area = columns.at("tool_stroke_area");
+  const std::vector<double>&force = columns.at("tool_scalpel_force_z"), &torque = columns.at("tool_scalpel_torque_x"),
+        &depth = columns.at("tool_scalpel_depth"), &area = columns.at("tool_scalpel_area");
   ASSERT_EQ(force.size(), 30u);
   EXPECT_EQ(force.front(), 0);  // still above
   EXPECT_EQ(depth.front(), 0);

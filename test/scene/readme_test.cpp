@@ -1,6 +1,8 @@
 // The README's table of scene keys, held against the parsers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -59,17 +61,25 @@ std::string complaint(const std::string& key, const std::string& value) {
   }
 }
 
+// A name that the user gives, in capitals here. Of tools it says which kind: its rows are what that has beside all.
+bool isName(const std::string& key) {
+  return std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isupper(c); });
+}
+
 TEST(Readme, ListsEveryKeyAndNoOther) {
   std::map<std::string, std::set<std::string>> listed;
   for (Row row : rows()) {
     for (std::size_t dot = row.key.rfind('.'); dot != std::string::npos; dot = row.key.rfind('.')) {
       const std::string last = row.key.substr(dot + 1);
       row.key.resize(dot);
-      if (last != "0" && last != "NAME") listed[row.key].insert(last);
+      if (last != "0" && !isName(last)) listed[row.key].insert(last);
     }
     listed[""].insert(row.key);
   }
   EXPECT_GT(listed.size(), 9u);
+  const std::set<std::string> of_all_tools = listed["tools.NAME"];
+  for (auto& [section, keys] : listed)
+    if (section.rfind("tools.", 0) == 0) keys.insert(of_all_tools.begin(), of_all_tools.end());
   for (const auto& [section, keys] : listed) {
     if (keys.empty()) continue;
     const std::string message = complaint((section.empty() ? "" : section + ".") + "?", "1");

@@ -35,7 +35,7 @@ solver: {time_step: 0.005}
 cuts: [{time: 0.25, normal: [0, 0, 1]}, {time: 0.5, normal: [0, 1, 0]}]
 fracture: {tensile_strength: 1e5}
 contact: {obstacles: room.urdf}
-tool: {edge: [[0, 0, 0], [0, 0, 0.1]], frame: knife}
+tools: {lancet: {type: blade, edge: [[0, 0, 0], [0, 0, 0.1]]}, knife: {type: blade, edge: [[0, 0, 0], [0, 0, 0.1]], frame: knife}}
 )");
   EXPECT_EQ(scene.body.grid->cells, (std::array<int, 3>{16, 4, 2}));
   EXPECT_EQ(scene.body.material.density, 1050);
@@ -51,8 +51,10 @@ tool: {edge: [[0, 0, 0], [0, 0, 0.1]], frame: knife}
   EXPECT_EQ(scene.fracture->tensile_strength, 1e5);
   ASSERT_TRUE(scene.contact);
   EXPECT_EQ(scene.contact->obstacles, "/folder/room.urdf");
-  ASSERT_TRUE(scene.tool);
-  EXPECT_EQ(scene.tool->frame, "knife");
+  ASSERT_EQ(scene.tools.size(), 2u);
+  EXPECT_EQ(scene.tools[0].name, "knife");
+  EXPECT_EQ(scene.tools[0].frame, "knife");
+  EXPECT_EQ(scene.tools[1].name, "lancet");
 }
 
 TEST(Scene, WhatIsNotGivenKeepsTheStagesDefault) {
@@ -66,17 +68,22 @@ TEST(Scene, WhatIsNotGivenKeepsTheStagesDefault) {
   EXPECT_FALSE(scene.contact->ground);
   EXPECT_TRUE(scene.contact->obstacles.empty() && scene.contact->self);
   EXPECT_EQ(scene.contact->friction, ContactSettings().friction);
-  EXPECT_FALSE(scene.fracture || scene.tool);
+  EXPECT_FALSE(scene.fracture);
+  EXPECT_TRUE(scene.tools.empty());
 }
 
 TEST(Scene, BadSectionsAreRefusedWithSourceAndKey) {
   EXPECT_EQ(complaint("{}"), "scene.yaml: the key body is missing");
   EXPECT_EQ(complaint("[1, 2]"),
             "scene.yaml: a list of 2 (allowed: a map with body, gravity, boundary, loads, solver, cuts, fracture, "
-            "contact, tool)");
-  EXPECT_EQ(complaint(BODY + "tols: 1"),
-            "scene.yaml: tols: unknown key, did you mean tool? (allowed: body, gravity, boundary, loads, solver, cuts, "
-            "fracture, contact, tool)");
+            "contact, tools)");
+  EXPECT_EQ(
+      complaint(BODY + "tols: 1"),
+      "scene.yaml: tols: unknown key, did you mean tools? (allowed: body, gravity, boundary, loads, solver, cuts, "
+      "fracture, contact, tools)");
+  EXPECT_EQ(
+      complaint(BODY + "tool: {edge: [[0, 0, 0], [0, 0, 1]]}"),
+      "scene.yaml: tool: there may be several tools, each with a name (allowed: tools: {NAME: {type: blade, …}})");
   EXPECT_EQ(complaint(BODY + "gravity: -9.81"), "scene.yaml: gravity: '-9.81' (allowed: a list of 3)");
   EXPECT_EQ(complaint(BODY + "boundary: {box: 1}"), "scene.yaml: boundary: a map (allowed: a list)");
   EXPECT_EQ(complaint(BODY + "boundary: [{velocity: [0, 0, 0]}]"),

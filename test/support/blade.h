@@ -7,6 +7,7 @@
 
 #include "incision/body/deformable_body.h"
 #include "incision/cut/section.h"
+#include "support/tool.h"
 
 namespace incision {
 
@@ -24,7 +25,7 @@ inline Scene plateAndBlade(int cells = 4) {
   scene.body.material = {1e5, 0.3, 1000, 0, 0};
   scene.gravity = Vec3::Zero();
   scene.solver.method = Method::DIRECT;
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.35)}};
+  scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.35)})};
   return scene;
 }
 

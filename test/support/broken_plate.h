@@ -1,6 +1,7 @@
 #pragma once
 
 #include "support/blade.h"
+#include "support/tool.h"
 
 namespace incision::test {
 
@@ -12,9 +13,9 @@ inline Scene everythingAtOnce(Method method) {
   scene.solver.tolerance = 1e-9;
   scene.contact = ContactSettings();
   scene.contact->ground = -0.001;
-  scene.tool->cutting_force = 20;
+  bladeOf(&scene.tools[0]).cutting_force = 20;
   for (int k = 0; k <= 40; ++k)
-    scene.tool->poses.push_back({0.01 * k, {Vec3(-0.05 + 0.02 * k, 0.21, 0), Eigen::Quaterniond::Identity()}});
+    scene.tools[0].poses.push_back({0.01 * k, {Vec3(-0.05 + 0.02 * k, 0.21, 0), Eigen::Quaterniond::Identity()}});
   PlaneCut plane;
   plane.point = Vec3(0.6, 0.2, 0.1);
   plane.normal = Vec3(1, 0.3, 0.2);

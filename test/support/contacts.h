@@ -45,7 +45,7 @@ inline std::string urdfOf(const std::string& shape, const std::string& xyz = "0 
 /// A body of the scene, with obstacles beside or instead of the ground.
 inline DeformableBody bodyAmong(Scene scene, const std::string& urdf) {
   scene.contact->obstacles = "room.urdf";
-  return DeformableBody(scene, loadMesh(scene), {"", urdf});
+  return DeformableBody(scene, loadMesh(scene), {{}, urdf});
 }
 
 inline Vec3 centreOfMass(const DeformableBody& body) {

@@ -9,6 +9,7 @@
 #include "incision/mesh/mesh_io.h"
 #include "support/blade.h"
 #include "support/random.h"
+#include "support/tool.h"
 
 namespace incision::test {
 
@@ -83,7 +84,7 @@ class PassUnderWay {
       : pass_(pass), mesh_(pass.mesh()), size_(Materials(mesh_, Material()).meanSize()), normal_(pass.axes.col(0)) {
     for (const Vec3& X : mesh_.nodes) extent_.extend(pass.axes.transpose() * X);
     plane_ = extent_.center()[0] + pass.offset * extent_.sizes()[0] / 2;
-    body_ = std::make_unique<DeformableBody>(scene(), mesh_, Descriptions{urdf(), ""});
+    body_ = std::make_unique<DeformableBody>(scene(), mesh_, Descriptions{{urdf()}, ""});
   }
 
   void run() {
@@ -128,16 +129,16 @@ class PassUnderWay {
     tool.description = "blade.urdf";
     const Vec3 along = reach() * Vec3(0, std::sin(pass_.slant), std::cos(pass_.slant));
     const Vec3 side = pass_.edge_amid ? Vec3(0, 0, 0) : Vec3(-thickness() / 2, 0, 0);
-    tool.edge = {side - along, side + along};
+    bladeOf(&tool).edge = {side - along, side + along};
     tool.friction = pass_.friction;
-    tool.cutting_force = pass_.cutting_force * pass_.young_modulus * size_;
+    bladeOf(&tool).cutting_force = pass_.cutting_force * pass_.young_modulus * size_;
     tool.max_step = 1e3;
     // A slanted edge comes to the body with one end first; and the body may give way for some elements.
     const double room = extent_.sizes()[2] / 2 * std::abs(std::tan(pass_.slant)) + 0.5 * size_;
     const double speed = (extent_.sizes()[1] + 2 * room) / pass_.duration;
     const double from = extent_.min()[1] - room, to = extent_.max()[1] + room + 4 * size_;
     tool.poses = {{0, poseAlong(from)}, {(to - from) / speed, poseAlong(to)}};
-    scene.tool = tool;
+    scene.tools = {tool};
     return scene;
   }
 

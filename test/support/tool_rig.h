@@ -15,7 +15,7 @@ inline std::string toolUrdf(const std::string& shape, const std::string& xyz = "
 }
 
 /// The shapes of that link.
-inline Obstacles bladeOf(const std::string& urdf) { return loadLink(parseDescription(urdf, "tool.urdf"), "blade"); }
+inline Obstacles shapesOf(const std::string& urdf) { return loadLink(parseDescription(urdf, "tool.urdf"), "blade"); }
 
 /// An edge that is far from every shape of these tests.
 inline const Edge FAR_EDGE = {Vec3(0, 0, 100), Vec3(0, 0, 101)};
@@ -29,9 +29,11 @@ struct ToolRig : Rig {
         skin(surface, materials, 1),
         obstacles(loadObstacles(touching, "", "")),
         contact(touching, obstacles, motions, &skin),
-        tool_contact(bladeOf(urdf), friction, edge, &skin),
+        tool_contact(0, shapesOf(urdf), friction, edge, &skin),
         couplers({&contact, &tool_contact}) {
     tool_contact.setTool(&tool);
+    tool.groups.resize(1);
+    tool.felt.resize(1);
   }
 
   void surfaceChanged() {
@@ -40,22 +42,22 @@ struct ToolRig : Rig {
   }
 
   void place(const Pose& pose) {
-    tool.motion = {pose, pose};
+    tool.groups[0] = {pose, pose};
     tool.in_place = true;
   }
 
   /// Takes a step in which the tool goes to `pose`.
   ContactReport moveTo(const Pose& pose) {
-    tool.motion.to = pose;
-    tool.felt = Wrench();
+    tool.groups[0].to = pose;
+    tool.felt[0] = Wrench();
     EXPECT_TRUE(advanceWith(this, &couplers));
-    tool.motion.from = pose;
+    tool.groups[0].from = pose;
     ContactReport report = contact.report();
     report.add(tool_contact.report());
     return report;
   }
 
-  const Wrench& onTool() const { return tool.felt; }
+  const Wrench& onTool() const { return tool.felt[0]; }
 
   CurrentSurface surface;
   ContactSkin skin;

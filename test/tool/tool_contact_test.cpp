@@ -182,7 +182,7 @@ TEST(ToolContacts, OpensASlitToItsThicknessEachFaceToItsOwnSide) {
     ASSERT_GT(rig.openings().size(), 20u);
     double fastest = 0;
     for (int k = 0; k < 200; ++k) {
-      rig.moveTo(rig.tool.motion.to);
+      rig.moveTo(rig.tool.groups[0].to);
       fastest = std::max(fastest, largest(rig.motion.v));
     }
     EXPECT_LT(fastest, 2 * RECOVERY * ELEMENT);
@@ -202,7 +202,7 @@ TEST(ToolContacts, PushesSkinThatItPassesAsideAndNotAheadOfIt) {
   ToolRig rig(cube(), damped(), touchingNothing(), toolUrdf("<box size='0.4 0.002 0.1'/>"), 0);
   rig.place(at(Vec3(0.1, 0.1 + 0.3 * HALF, SIDE + 0.01)));
   int count = 0;
-  for (int k = 0; k < 200; ++k) count = rig.moveTo(rig.tool.motion.to).count;
+  for (int k = 0; k < 200; ++k) count = rig.moveTo(rig.tool.groups[0].to).count;
   EXPECT_EQ(count, CELLS[0] + 1);
   EXPECT_LT(largest(rig.displacements()), 2 * HALF);
 }
@@ -210,7 +210,7 @@ TEST(ToolContacts, PushesSkinThatItPassesAsideAndNotAheadOfIt) {
 // Then only the end of the slit is left free.
 TEST(ToolContacts, LeavesNothingBehindInASlit) {
   BladeInSlit rig(0);
-  for (int k = 0; k < 200; ++k) rig.moveTo(rig.tool.motion.to);
+  for (int k = 0; k < 200; ++k) rig.moveTo(rig.tool.groups[0].to);
   for (int k = 0; k < 400; ++k) rig.moveTo(at(Vec3(0.1, BladeInSlit::PLANE, SIDE + std::min(0.2, 2e-3 * k))));
   EXPECT_EQ(rig.onTool().force, Vec3::Zero());
   EXPECT_LT(largest(rig.displacements()), 1e-4);
@@ -218,7 +218,7 @@ TEST(ToolContacts, LeavesNothingBehindInASlit) {
 
 std::string refusal(const std::string& urdf) {
   try {
-    bladeOf(urdf);
+    shapesOf(urdf);
   } catch (const InputError& error) {
     return error.what();
   }

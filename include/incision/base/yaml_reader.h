@@ -45,6 +45,10 @@ class YamlValue {
   /// The entries of a list; a key with nothing after it is an empty list. With `count`, exactly so many.
   std::vector<YamlValue> list(std::optional<std::size_t> count = {}) const;
 
+  /// The value of a key, if this is a map that has it, for those who must know it before they know what else the map
+  /// may hold.
+  std::optional<YamlValue> peek(const std::string& key) const;
+
   /// A map with none but these keys, each at most once; a key with nothing after it is an empty map.
   YamlMap map(const std::vector<std::string>& allowed_keys) const;
 

@@ -19,6 +19,7 @@
 #include "incision/scene/scene.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/surface/surface.h"
+#include "incision/tool/tool_form.h"
 #include "incision/tool/tool_report.h"
 
 namespace incision {
@@ -115,10 +116,14 @@ class DeformableBody {
 
   /// Where the tool's link is, if the tool is in place.
   const std::optional<Pose>& toolPose(std::size_t tool = 0) const;
-  /// The tool's cutting edge in the frame of its link, or null.
-  const Edge* toolEdge(std::size_t tool = 0) const;
-  /// The tool's shapes that touch; none without contact.
-  const Obstacles& toolShapes(std::size_t tool = 0) const;
+  /// In the next step the tool's joint turns evenly to this angle [rad], where it stays.
+  void guideJaw(double angle, std::size_t tool = 0);
+  /// Angle of its joint [rad]; 0 where it has none.
+  double toolJaw(std::size_t tool = 0) const;
+  /// What it is made of; its shapes are those that touch: none without contact.
+  ToolForm toolForm(std::size_t tool = 0) const;
+  /// Where each of its groups stands in the body's frame; none while the tool is not in place.
+  std::vector<Pose> toolGroups(std::size_t tool = 0) const;
 
   /// The obstacles; none without contact. A link moves evenly to `pose` in the body's frame during the next step, and
   /// stays there; or it is put there, and sweeps nothing on its way. Throws std::out_of_range without such a link.

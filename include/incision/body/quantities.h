@@ -24,9 +24,9 @@ std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult&
 /// `clamp_0_force`, `clamp_0_torque`, …, `ground_force`, `obstacle_0_force`, …. For the record alone.
 std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body);
 
-/// What the tissue does to each tool, in the frame of its link and about that link's origin, and how far it has cut:
-/// `tool_force`, `tool_torque`, `tool_depth`, `tool_stroke_area`; none in a scene without a tool. For the record alone.
-std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, const StepResult& last_step);
+/// What the tissue does to a tool, in the frame of its link and about that link's origin: `force`, `torque`; of one
+/// with an edge how far it has cut: `depth`, `area`; of one with a jaw `jaw`, `jaw_torque`, `gripped`.
+std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, std::size_t tool, const StepResult& last_step);
 
 /// What the body is before its first step, in a line for people: its size, where it lies, its mass, what holds it.
 std::string describe(const DeformableBody& body);

@@ -24,6 +24,7 @@ class Agenda {
   std::optional<PlaneCut> add(const PlaneCut& plane, Nanoseconds stamp);
   /// The agenda knows whether the tool's blade is on.
   void add(int tool, const ReceivedPose& pose, Nanoseconds stamp);
+  void add(int tool, const ReceivedAngle& angle, Nanoseconds stamp);
 
   /// Switches the tool's blade on, as it is at first, or off, after its pose that was added last.
   void activate(int tool, bool active);

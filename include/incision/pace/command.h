@@ -37,8 +37,8 @@ struct Command {
 Command inBodyFrame(const Command& command, const Pose& frame, const std::string& body_frame);
 
 /// Why a message was refused.
-enum class Refusal { NOT_FINITE, OUT_OF_RANGE, NO_TRANSFORM, TOO_MANY, NO_TOOL, BY_BODY, BY_RESET };
-inline constexpr int NUM_REFUSALS = 7;
+enum class Refusal { NOT_FINITE, OUT_OF_RANGE, NO_TRANSFORM, TOO_MANY, BY_BODY, BY_RESET };
+inline constexpr int NUM_REFUSALS = 6;
 
 struct Refused {
   Refusal kind;

@@ -20,10 +20,17 @@ struct ReceivedPose {
   bool active = true;  ///< the blade is on on the way there
 };
 
+/// An angle of a tool's jaw [rad], with its time like that of a pose.
+struct ReceivedAngle {
+  double angle;
+  Nanoseconds time;
+};
+
 /// What is asked of a tool before a step.
 struct ToolInput {
   std::vector<ReceivedPose> poses;
   bool active = true;  ///< the blade is on after them
+  std::vector<ReceivedAngle> jaw = {};
 };
 
 /// What is asked of one tool, by stamp. Knows whether its blade is on.
@@ -31,6 +38,8 @@ class ToolQueue {
  public:
   /// `pose.active` is filled in here.
   void add(ReceivedPose pose, Nanoseconds stamp);
+
+  void add(const ReceivedAngle& angle, Nanoseconds stamp);
 
   /// Switches the blade on, as it is at first, or off, after the pose that was added last.
   void activate(bool active);
@@ -41,11 +50,12 @@ class ToolQueue {
   /// Forgets all but the count of poses left out.
   void clear();
 
-  /// Poses left out, so far.
+  /// Poses and angles left out, so far.
   std::uint64_t thinned() const { return thinned_; }
 
  private:
   StampedQueue<ReceivedPose> poses_;
+  StampedQueue<ReceivedAngle> jaw_;
   std::uint64_t thinned_ = 0;
 
   // The blade is switched after the pose of that stamp. Whether it was on before, the poses say.

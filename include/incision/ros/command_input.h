@@ -5,6 +5,7 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+#include <sensor_msgs/JointState.h>
 #include <std_msgs/Bool.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -18,6 +19,7 @@
 #include "incision/ros/parameters.h"
 #include "incision/ros/reporter.h"
 #include "incision/ros/tf_frames.h"
+#include "incision/ros/validation.h"
 
 namespace incision {
 
@@ -32,7 +34,8 @@ inline constexpr double TRANSFORM_POLL = 0.01;
 /// agenda. The stepping thread never sees a message that is no command.
 class CommandInput {
  public:
-  CommandInput(ros::NodeHandle& node, const NodeSettings& settings, Agenda& agenda, Reporter& reporter, Wakeup& wakeup);
+  CommandInput(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body, Agenda& agenda,
+               Reporter& reporter, Wakeup& wakeup);
 
   /// A command stamped at or before `time` still waits for its transform.
   bool waitsFor(Nanoseconds time) const;
@@ -46,10 +49,10 @@ class CommandInput {
  private:
   void receiveCut(const CutPlane& message);
   void receivePose(int tool, const geometry_msgs::PoseStamped& message);
+  void receiveJaw(int tool, const Jaw& jaw, const sensor_msgs::JointState& message);
   template <class Message, class Receive>
   void subscribe(ros::NodeHandle& node, const std::string& topic, Receive receive);
-  void subscribeToTool(ros::NodeHandle& node, int tool, const ToolEntry& entry);
-  void subscribeToNoTool(ros::NodeHandle& node);
+  void subscribeToTool(ros::NodeHandle& node, int tool, const ToolSettings& settings, const ToolForm& form);
   void accept(const Command& command);
   void release(const Command& command);
   void refuse(const Command& command, const Refused& refused);

@@ -42,12 +42,6 @@ class MarkerPublisher {
   std::vector<RegionStress> regionStress() const;
 
  private:
-  /// Of a tool.
-  struct ToolOutput {
-    Obstacles shapes;
-    Edge edge;
-    ros::Publisher publisher;
-  };
   /// What stays as long as the topology does.
   struct Topology {
     explicit Topology(const DeformableBody& body);
@@ -65,14 +59,15 @@ class MarkerPublisher {
     std::optional<BodyWrenches> wrenches;
     std::int64_t step = 0;  ///< after which it is
     std::optional<std::vector<Pose>> links;
-    std::vector<std::pair<std::size_t, ToolView>> tools;  ///< by index
+    std::optional<std::vector<ToolView>> tools;
 
     bool needsStress(MarkerField field) const {
       return wants_stress || wants_cloud || (wants_markers && field == MarkerField::STRESS);
     }
-    bool empty() const { return !topology && !wrenches && !links && tools.empty(); }
+    bool empty() const { return !topology && !wrenches && !links && !tools; }
   };
   void addBody(const DeformableBody& body, Snapshot* snapshot);
+  std::vector<ToolView> toolViews(const DeformableBody& body, const StepResult& last_step) const;
   void publish(const Snapshot& snapshot);
   std::vector<double> findStress(const Snapshot& snapshot);
   void publishContacts(const Snapshot& snapshot, const ros::Time& stamp);
@@ -87,8 +82,9 @@ class MarkerPublisher {
   const Obstacles obstacles_;
   const ContactNames contact_names_;
   std::chrono::nanoseconds period_;
-  ros::Publisher body_publisher_, cloud_publisher_, contact_publisher_, obstacle_publisher_;
-  std::vector<ToolOutput> tools_;
+  std::vector<std::string> tool_names_;
+  std::vector<ToolForm> tool_forms_;
+  ros::Publisher body_publisher_, cloud_publisher_, contact_publisher_, obstacle_publisher_, tool_publisher_;
   SteadyTime next_;
   std::shared_ptr<Topology> topology_;
   std::uint64_t topology_version_ = 0;

@@ -2,10 +2,11 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "incision/contact/obstacles.h"
+#include "incision/tool/tool_form.h"
 
 namespace incision {
 
@@ -18,13 +19,14 @@ inline constexpr double FORCE_SCALE = 0.02;
 
 /// Where a tool is, and what the tissue does to it.
 struct ToolView {
-  std::optional<Pose> pose;   ///< in the body's frame; none: there is no tool in place
+  std::string name;
+  std::vector<Pose> groups;   ///< of what of it moves together, in the body's frame; none: it is not in place
   Vec3 force = Vec3::Zero();  ///< of the tissue on the tool, in the frame of its link [N]
 };
 
-/// A tool's shapes, if it has any, its edge as a line, and the force on it as an arrow from the link's origin. No tool
-/// in place: deletes them all.
-visualization_msgs::MarkerArray toMarkers(const Obstacles& shapes, const Edge& edge, const ToolView& view,
+/// Tools: their shapes, their edges as lines, and the forces on them as arrows from the links' origins. Those of a tool
+/// that is not in place are deleted.
+visualization_msgs::MarkerArray toMarkers(const std::vector<ToolForm>& forms, const std::vector<ToolView>& views,
                                           const std::string& frame, const ros::Time& stamp);
 
 }  // namespace incision

@@ -2,10 +2,7 @@
 
 #include <ros/node_handle.h>
 
-#include <vector>
-
 #include "incision/ros/body_markers.h"
-#include "incision/ros/tool_entry.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -13,7 +10,6 @@ namespace incision {
 /// The node's private parameters.
 struct NodeSettings {
   Scene scene;                                   ///< ~scene, whose relative paths are taken from ~scene_folder
-  std::vector<ToolEntry> tools;                  ///< of the scene
   Descriptions descriptions;                     ///< ~tool_description, ~obstacle_description
   double marker_rate = 15;                       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
   MarkerField marker_field = MarkerField::NONE;  ///< ~marker_field: what the colours of ~markers tell

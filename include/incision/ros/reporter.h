@@ -7,6 +7,8 @@
 
 #include <array>
 #include <atomic>
+#include <string>
+#include <vector>
 
 #include "incision/body/deformable_body.h"
 #include "incision/pace/command.h"
@@ -17,8 +19,8 @@ namespace incision {
 /// and logs what was refused. Thread-safe.
 class Reporter {
  public:
-  /// There are crack events only of a body that `breaks`.
-  Reporter(ros::NodeHandle& node, const std::string& body_frame, bool breaks);
+  /// There are crack events only of a body that breaks.
+  Reporter(ros::NodeHandle& node, const Scene& scene);
 
   /// The body's pieces now; every report says them, also of cuts that never reach the body.
   void setPieces(int pieces);
@@ -29,20 +31,24 @@ class Reporter {
   /// What a crack did in a step.
   void report(const CrackResult& result);
 
-  /// A cut, or what was asked of the tool, that did not get as far as the body.
+  /// A cut, or what was asked of a tool, that did not get as far as the body.
   void refuseCut(const std::string& label, const Refused& refused);
-  void refuseTool(const Refused& refused);
+  void refuseTool(int tool, const Refused& refused);
 
   /// Counts so far, into the fields of the state.
   void fillState(BodyState& state) const;
+  /// Messages to the tool that were refused so far.
+  std::uint64_t refusedOf(std::size_t tool) const { return of_tools_[tool]; }
 
  private:
-  void count(const Refused& refused);
+  void count(const std::string& whose, const Refused& refused);
   void publish(const CutResult& result);
 
   const std::string body_frame_;
   ros::Publisher publisher_, crack_publisher_;
+  std::vector<std::string> tools_;  // names
   std::array<std::atomic<std::uint64_t>, NUM_REFUSALS> counts_ = {};
+  std::vector<std::atomic<std::uint64_t>> of_tools_;
   std::atomic<int> pieces_ = 0;
 };
 

@@ -28,7 +28,7 @@ struct Scene {
   std::vector<ScheduledCut> cuts;
   std::optional<FractureSettings> fracture;  ///< absent: it breaks only where it is cut
   std::optional<ContactSettings> contact;    ///< absent: the body touches nothing, not even itself
-  std::optional<ToolSettings> tool;
+  std::vector<ToolSettings> tools;           ///< by name
 };
 
 /// Reads a scene and checks every value; files that it names are still to be read. `source` is the file or parameter
@@ -36,7 +36,7 @@ struct Scene {
 /// is allowed.
 Scene parseScene(const YAML::Node& root, const std::string& source, const std::string& folder);
 
-/// Reads the files of poses that a scene names. Throws InputError.
+/// Reads the files of poses and angles that a scene names. Throws InputError.
 void loadPoses(Scene* scene);
 
 /// Reads a scene file, and the files of poses that it names; each override "solver.time_step=0.005" or
@@ -48,14 +48,11 @@ TetMesh loadMesh(const Scene& scene, std::vector<std::string>* notes = nullptr);
 
 /// Texts of URDFs; empty where there is none.
 struct Descriptions {
-  std::string tool, obstacles;
+  std::vector<std::string> tools;  ///< of each of the scene's
+  std::string obstacles;
 };
 
-/// Text of the tool's description where the scene's tool needs one to know its edge, how thick its tips are or what of
-/// it touches, else empty.
-std::string loadDescription(const Scene& scene);
-
-/// Text of the obstacles' description where the scene names one, else empty.
-std::string loadObstacleDescription(const Scene& scene);
+/// Texts of the descriptions that the scene names.
+Descriptions loadDescriptions(const Scene& scene);
 
 }  // namespace incision

@@ -2,33 +2,49 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "incision/rigid/timed_angle.h"
 #include "incision/rigid/timed_pose.h"
+#include "incision/tool/blade/settings.h"
+#include "incision/tool/probe/settings.h"
 
 namespace incision {
 
 class YamlValue;
 
+/// The joint with which a tool opens and closes.
+struct JawSettings {
+  std::string joint;               ///< of the description
+  std::vector<TimedAngle> angles;  ///< of it, those of `jaw`; between them it is interpolated
+  std::string file;                ///< of the angles, where it is still to be read
+};
+
+/// What one kind of tool has and others have not; the alternatives stand in the order of toolKinds().
+using KindSettings = std::variant<BladeSettings, ProbeSettings>;
+
 struct ToolSettings {
-  std::string description = {};   ///< URDF file; may be empty when `edge` is given
-  std::string link = {};          ///< the blade's link
-  std::optional<Edge> edge = {};  ///< in the link's frame; absent: the longest edge of the link's first collision box
+  std::string name = "tool";          ///< of letters, digits and _; no other tool of the scene has it
+  std::string description = {};       ///< URDF file; empty where the tool needs none
+  std::string link = {};              ///< of the description: the one that poses move
+  KindSettings kind = {};             ///< what it is
   std::vector<TimedPose> poses = {};  ///< of the link in the body's frame; between them the pose is interpolated
+  std::string poses_file = {};        ///< of the poses, where it is still to be read
   std::string frame = {};             ///< tf frame of the link, from which its pose comes; empty: it comes in messages
-  /// A pose that moves the link's origin or an end of the edge farther than this from where the pose before had it [m]
-  /// begins a new stroke: more than a hand does between two poses, and less than an organ's size.
+  std::optional<JawSettings> jaw = {};
+  /// A pose that moves the tool's link farther than this from where the pose before had it [m] begins a new stroke:
+  /// more than a hand does between two poses, and less than an organ's size.
   double max_step = 0.1;
   /// A pose older than this by time of receipt [s] is stale, and the tool stays where it is: some poses of any stream.
   double timeout = 0.5;
-  /// [N/m] of edge in the tissue: the fracture energy [J/m²] of what it cuts; regions may differ.
-  double cutting_force = 0;
-  double friction = 0.3;        ///< Coulomb's coefficient, of the edge along itself and of the link's shapes
-  bool progressive = true;      ///< an element's crack opens as the blade sweeps it; false: elements are cut whole
-  std::string poses_file = {};  ///< file of the poses, where it is still to be read
+  double friction = 0.3;  ///< Coulomb's coefficient, of the link's shapes and of an edge along itself
 };
 
-/// The section `tool`. Throws InputError.
-ToolSettings parseTool(const YamlValue& value);
+/// Most tools of a scene: far more than surround a table, and few enough for a topic of each.
+inline constexpr std::size_t MAX_TOOLS = 100;
+
+/// The section `tools`, by name, so that the order in the file does not matter. Throws InputError.
+std::vector<ToolSettings> parseTools(const YamlValue& value);
 
 }  // namespace incision

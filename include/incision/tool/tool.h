@@ -10,6 +10,7 @@
 #include "incision/solver/motion.h"
 #include "incision/tool/settings.h"
 #include "incision/tool/tool_contact.h"
+#include "incision/tool/tool_form.h"
 #include "incision/tool/tool_in_step.h"
 #include "incision/tool/tool_report.h"
 
@@ -20,34 +21,45 @@ inline constexpr double DUE_TOLERANCE = 1e-9;
 
 /// What of every tool outlasts a step.
 struct ToolMemory {
-  std::optional<Pose> pose;  ///< of its link in the body's frame; none: it is not in place
-  std::vector<Pose> path;    ///< that it was told to go, evenly in the next step
-  bool active = true;        ///< it does what its kind does; otherwise it only touches
+  std::optional<Pose> pose;      ///< of its link in the body's frame; none: it is not in place
+  std::vector<Pose> path;        ///< that it was told to go, evenly in the next step
+  double jaw = 0;                ///< angle of its joint [rad]
+  std::optional<double> jaw_to;  ///< that it was told to go to, evenly in the next step
+  bool active = true;            ///< it does what its kind does; otherwise it only touches
 };
 
 template <class Archive>
 void serialize(Archive& archive, ToolMemory& memory) {
-  auto& [pose, path, active] = memory;
-  archive(pose, path, active);
+  auto& [pose, path, jaw, jaw_to, active] = memory;
+  archive(pose, path, jaw, jaw_to, active);
 }
 
-/// A rigid instrument that another node moves: it owns its pose, its path and all that its kind does on the way. Each
-/// kind is a class derived from this one.
+/// Shapes of a tool that move together, with what they need to touch.
+using Touching = std::vector<std::unique_ptr<ToolContact>>;
+
+/// A rigid instrument that another node moves, or two of them on a joint: it owns its pose, its path and all that its
+/// kind does on the way. Each kind is a class derived from this one.
 class Tool : public Remembers {
  public:
-  /// `touching` are the shapes of its link, where they touch the body; else null.
-  Tool(const ToolSettings& settings, std::unique_ptr<ToolContact> touching);
+  /// `touching`: contacts of its groups, where it touches the body.
+  Tool(const ToolSettings& settings, Touching touching);
 
   const ToolSettings& settings() const { return settings_; }
-  /// Its shapes that touch; none where nothing does.
-  const Obstacles& shapes() const;
-  /// Its cutting edge in the frame of its link, or null.
-  virtual const Edge* edge() const { return nullptr; }
   const std::optional<Pose>& pose() const { return tool_.pose; }
+  /// Angle of its joint [rad]; 0 where it has none.
+  double jaw() const { return tool_.jaw; }
+
+  /// What moves together: its link, which is group 0, and each of its jaws.
+  virtual int groups() const { return 1; }
+  /// Where a group stands in the frame of the link while the joint is at an angle [rad].
+  virtual Pose groupPose(int /*group*/, double /*angle*/) const { return Pose(); }
+  virtual ToolForm form() const;
 
   /// In the next step it goes evenly along these poses to the last, where it stays. When it is not in place the first
   /// one only places it.
   void guide(const std::vector<Pose>& path);
+  /// In the next step its joint turns evenly to this angle [rad], where it stays.
+  void guideJaw(double angle) { tool_.jaw_to = angle; }
 
   /// Puts it there at once. This interrupts what it is doing, and returns what became of that, as the next two do.
   std::optional<CutResult> place(const Pose& pose);
@@ -68,33 +80,43 @@ class Tool : public Remembers {
 
   /// What acts between it and the body. These live as long as the tool.
   virtual std::vector<Coupler*> couplers();
-  /// How its shapes touch, or null.
-  const Contact* contact() const { return touching_.get(); }
+  /// How its groups touch; empty where nothing does.
+  const Touching& touching() const { return touching_; }
 
   /// Of the step taken last.
   virtual ToolReport report() const;
 
  protected:
   /// Where the edge or whatever it works with starts from.
-  virtual void start(const Pose& /*pose*/, const std::vector<Vec3>& /*x*/) {}
+  virtual void start(const std::vector<Vec3>& /*x*/) {}
 
-  /// Has gone along `way` from `first`, evenly, in a step of `time_step` [s] that ended with `motion`. Returns what
-  /// ended with that.
-  virtual std::optional<CutResult> act(const Pose& first, const std::vector<Pose>& way, double time_step,
-                                       const Motion& motion, MeshDoor* door) = 0;
+  /// Its groups have gone along their ways in a step of `time_step` [s] that ended with `motion`. Returns what ended
+  /// with that.
+  virtual std::optional<CutResult> act(double /*time_step*/, const Motion& /*motion*/, MeshDoor* /*door*/) {
+    return std::nullopt;
+  }
 
   /// What it is doing ends. Returns what became of it, if it did anything.
-  virtual std::optional<CutResult> interrupt() = 0;
+  virtual std::optional<CutResult> interrupt() { return std::nullopt; }
+
+  /// The poses of a group in the step, from that at which it starts; each takes as long as any other. One alone where
+  /// nothing moves.
+  const std::vector<Pose>& wayOf(int group) const { return ways_[static_cast<std::size_t>(group)]; }
 
   ToolMemory tool_;
   ToolInStep in_step_;
 
  private:
   std::optional<Pose> scriptedPose(double at) const;
+  std::optional<double> scriptedJaw(double at) const;
+  void startJaw(double time, double time_step);
+  void findWays(const Pose& from);
 
   ToolSettings settings_;
-  std::unique_ptr<ToolContact> touching_;
-  std::vector<Pose> way_;  // of the step: the path, and where the scene has it at the end
+  Touching touching_;
+  // Of the step:
+  std::vector<Pose> way_;                // of the link: the path, and where the scene has it at the end
+  std::vector<std::vector<Pose>> ways_;  // of each group, from where it starts
 };
 
 }  // namespace incision

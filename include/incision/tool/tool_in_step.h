@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "incision/rigid/rigid_motion.h"
 #include "incision/solver/coupler.h"
 
@@ -9,14 +11,16 @@ namespace incision {
 struct ToolInStep {
   bool in_place = false;  ///< it has a pose; without, it is not there
   bool active = true;     ///< it does what its kind does; otherwise it only touches
-  RigidMotion motion;     ///< of its link, in the body's frame
-  /// What the body has done to it so far, on the mean of the whole step, about the origin of the body's frame.
-  Wrench felt;
+  /// Of all that moves together, in the body's frame: the first is that of its link, the others those of jaws.
+  std::vector<RigidMotion> groups;
+  double jaw_from = 0, jaw_to = 0;  ///< angle of its joint when the step starts and ends [rad]
+  /// What the body has done to each of these groups so far, on the mean of the whole step, about the origin of the
+  /// body's frame.
+  std::vector<Wrench> felt;
 
-  /// Adds what it has felt in a part of the step.
-  void feel(const StepSpan& span, const Wrench& wrench) {
-    felt.force += (span.to - span.from) * wrench.force;
-    felt.torque += (span.to - span.from) * wrench.torque;
+  /// Adds what a group has felt in a part of the step.
+  void feel(int group, const StepSpan& span, const Wrench& wrench) {
+    felt[static_cast<std::size_t>(group)] += (span.to - span.from) * wrench;
   }
 };
 

@@ -18,7 +18,7 @@ Edge checkedEdge(const Edge& edge, const std::string& where) {
 }  // namespace
 
 Edge bladeEdge(const ToolSettings& tool, const Description& description) {
-  if (tool.edge) return checkedEdge(*tool.edge, description.name);
+  if (const auto& edge = std::get<BladeSettings>(tool.kind).edge) return checkedEdge(*edge, description.name);
   const DescribedLink& link = description.link(tool.link);
   const std::string where = linkInMessage(description.name, tool.link);
   for (const DescribedSolid& described : link.solids) {

@@ -47,21 +47,21 @@ Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vecto
 
 }  // namespace
 
-CuttingEdge::CuttingEdge(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
-                         ToolInStep* tool, const Ties& ties, const Stroke& stroke, const Materials& materials,
-                         const CutMesh& mesh)
-    : cutting_forces_(materials.regions().values(settings.cutting_force, &RegionSettings::cutting_force)),
-      friction_(settings.friction),
-      edge_(edge),
+CuttingEdge::CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
+                         const Materials& materials, const CutMesh& mesh)
+    : cutting_forces_(materials.regions().values(edge.cutting_force, &RegionSettings::cutting_force)),
+      friction_(edge.friction),
+      group_(edge.group),
+      edge_(edge.edge),
       tool_(tool),
       ties_(ties),
       stroke_(stroke),
       materials_(materials),
       size_(materials.meanSize()),
       skin_(mesh.mesh(), mesh.topology()),
-      share_((edge[1] - edge[0]).norm() / stationCount(edge, size_)),
-      fronts_(fronts) {
-  memory_.resize(static_cast<std::size_t>(stationCount(edge, size_)) + 2);
+      share_((edge_[1] - edge_[0]).norm() / stationCount(edge_, size_)),
+      fronts_(edge.fronts) {
+  memory_.resize(static_cast<std::size_t>(stationCount(edge_, size_)) + 2);
 }
 
 void CuttingEdge::leave() {
@@ -74,8 +74,8 @@ bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
   in_tissue_ = false;
   depth_ = 0;
   if (!tool_->in_place || !tool_->active) return false;
-  const Edge from = placed(edge_, tool_->motion.at(start.span.from)),
-             to = placed(edge_, tool_->motion.at(start.span.to));
+  const RigidMotion& motion = tool_->groups[static_cast<std::size_t>(group_)];
+  const Edge from = placed(edge_, motion.at(start.span.from)), to = placed(edge_, motion.at(start.span.to));
   direction_ = (to[1] - to[0]).normalized();
   findNear(from, start);
   stations_.resize(memory_.size());
@@ -232,7 +232,7 @@ void CuttingEdge::update(Span<const Vec3> moved, Span<Spring> springs) {
 }
 
 void CuttingEdge::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& felt) {
-  tool_->feel(span, felt);
+  tool_->feel(group_, span, felt);
   int next = 0;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     StationMemory& station = memory_[i];

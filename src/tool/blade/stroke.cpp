@@ -89,8 +89,7 @@ Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
   const CutMesh& mesh = door->mesh();
   CrackField crack = field(mesh);
   crack.contains = [&](int part, const std::vector<Barycentric>& polygon) {
-    return covers(mesh.parts()[part], polygon, crack.phi, ties->progressive()) &&
-           !runsInSlit(mesh, materials, part, polygon, memory_.crack);
+    return covers(mesh.parts()[part], polygon, crack.phi) && !runsInSlit(mesh, materials, part, polygon, memory_.crack);
   };
   const int before = mesh.numCopies();
   const Insertion done = door->insert(crack);
@@ -98,7 +97,7 @@ Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
   memory_.cracks += !memory_.crack;
   memory_.crack = done.crack;
   settle(done, before, mesh);
-  ties->add(done, mesh, memory_.swept);
+  ties->add(done, mesh, memory_.swept, progressive_);
   return done;
 }
 
@@ -120,8 +119,7 @@ CrackField Stroke::field(const CutMesh& mesh) const {
 }
 
 /// Whether the sweep so far passed enough of a section, or the centroid of a face, seen along the gradient of φ.
-bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi,
-                    bool progressive) const {
+bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi) const {
   const auto found = memory_.swept.find(part.element);
   if (found == memory_.swept.end()) return false;
   const std::deque<SweptTriangle>& triangles = found->second;
@@ -131,7 +129,7 @@ bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, c
     return std::any_of(triangles.begin(), triangles.end(),
                        [&](const SweptTriangle& triangle) { return isBehind(triangle, point, across); });
   };
-  if (!progressive || liesInFace(polygon)) return covered(polygonCentroid(polygon));
+  if (!progressive_ || liesInFace(polygon)) return covered(polygonCentroid(polygon));
   const std::vector<Barycentric> points = spread(polygon);
   double left = FIRST_SHARE * static_cast<double>(points.size());
   return std::any_of(points.begin(), points.end(), [&](const Barycentric& point) {

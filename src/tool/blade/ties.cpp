@@ -43,7 +43,7 @@ void Tie::countSeparated(const CutMesh& mesh) {
   separated = now;
 }
 
-void Ties::addSection(int crack, int part, const CutMesh& mesh) {
+void Ties::addSection(int crack, int part, const CutMesh& mesh, bool progressive) {
   const Polytope& polytope = mesh.polytope(part);
   const Facet* facet = facetOf(polytope, crack);
   if (!facet) return;  // it was severed
@@ -51,7 +51,7 @@ void Ties::addSection(int crack, int part, const CutMesh& mesh) {
   const auto resting = [&](const Barycentric& b) { return atRest(mesh, element, b); };
   Tie tie;
   tie.area = vectorArea(polytope, *facet, resting).norm();
-  if (!progressive_) {
+  if (!progressive) {
     memory_.area += tie.area;
     return;
   }

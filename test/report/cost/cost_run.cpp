@@ -56,7 +56,7 @@ CostOptions costOptions(int argc, char** argv) {
 
 nlohmann::json costOf(const CostOptions& options, const Besides& besides) {
   const Scene scene = loadScene(options.scene, options.overrides);
-  const Descriptions descriptions{loadDescription(scene), loadObstacleDescription(scene)};
+  const Descriptions descriptions = loadDescriptions(scene);
   MeasuredSteps measured(options.steps);
 
   const std::size_t before = heapInUse();

@@ -5,6 +5,7 @@
 #include "incision/body/deformable_body.h"
 #include "stability.h"
 #include "support/random.h"
+#include "support/tool.h"
 #include "watched.h"
 
 namespace incision::report {
@@ -120,7 +121,7 @@ void strokes(Matrix* matrix) {
   scene.body.grid = GridSettings{{8, 4, 4}, Vec3(1, 0.5, 0.5), Vec3::Zero()};
   scene.body.material = {3e5, 0.4, 1000, 0, 1e-3};
   scene.boundary = {{slab(0, 0), Vec3::Zero()}};
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)}};
+  scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)})};
   const int count = matrix->quick() ? 20 : 150;
   for (const Method method : METHODS) {
     scene.solver = {0.01, method, 1e-6, 1};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "support/rig.h"
+#include "support/tool.h"
 
 namespace incision::report {
 namespace {
@@ -49,10 +50,10 @@ double cellSize(int cells) { return BLOCK.y() / cells; }
 
 Trace push(const Push& setting) {
   Scene scene = blockOf(setting.cells, setting.pull);
-  scene.tool = ToolSettings();
-  scene.tool->edge = Edge{Vec3(0, 0, -REACH), Vec3(0, 0, BLOCK.z() + REACH)};
-  scene.tool->cutting_force = setting.cutting_force;
-  scene.tool->progressive = setting.progressive;
+  scene.tools = {bladeTool(std::nullopt)};
+  bladeOf(&scene.tools[0]).edge = Edge{Vec3(0, 0, -REACH), Vec3(0, 0, BLOCK.z() + REACH)};
+  bladeOf(&scene.tools[0]).cutting_force = setting.cutting_force;
+  bladeOf(&scene.tools[0]).progressive = setting.progressive;
   DeformableBody body(scene, loadMesh(scene));
   for (int k = 0; k < SETTLING_STEPS; ++k) body.step();
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "incision/base/input_error.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -70,15 +71,15 @@ TEST(BladeEdge, ComesFromTheFirstBox) {
 
 TEST(BladeEdge, GivenEdgeNeedsNoDescription) {
   ToolSettings tool;
-  tool.edge = {Vec3(0, 0, 0), Vec3(0, 0, 0.1)};
-  EXPECT_EQ(bladeEdge(tool, {"tool", {}}), *tool.edge);
+  bladeOf(&tool).edge = {Vec3(0, 0, 0), Vec3(0, 0, 0.1)};
+  EXPECT_EQ(bladeEdge(tool, {"tool", {}}), *bladeOf(&tool).edge);
 }
 
 TEST(BladeEdge, GivenEdgeMustHaveTwoFiniteEnds) {
   ToolSettings tool;
-  tool.edge = {Vec3(1, 2, 3), Vec3(1, 2, 3)};
+  bladeOf(&tool).edge = {Vec3(1, 2, 3), Vec3(1, 2, 3)};
   EXPECT_THROW(bladeEdge(tool, {"tool", {}}), InputError);
-  tool.edge = {Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::quiet_NaN())};
+  bladeOf(&tool).edge = {Vec3(0, 0, 0), Vec3(0, 0, std::numeric_limits<double>::quiet_NaN())};
   EXPECT_THROW(bladeEdge(tool, {"tool", {}}), InputError);
 }
 

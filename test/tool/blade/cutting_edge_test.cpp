@@ -6,6 +6,7 @@
 
 #include "support/blade.h"
 #include "support/sanitized.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -25,8 +26,8 @@ Scene blockAndEdge(int cells = 3, double force = FORCE) {
   scene.gravity = Vec3::Zero();
   scene.boundary = {{{Vec3(0.2 - 1e-6, -1, -1), Vec3(1, 1, 1)}, Vec3::Zero()}};
   scene.solver.method = Method::DIRECT;
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)}};
-  scene.tool->cutting_force = force;
+  scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)})};
+  bladeOf(&scene.tools[0]).cutting_force = force;
   return scene;
 }
 
@@ -181,16 +182,15 @@ struct Stabbed {
   static Scene scene(bool with_shape, int cells) {
     Scene scene = blockAndEdge(cells, FORCE_OF_TIP);
     scene.body.material.stiffness_damping = 0.02;
-    scene.tool->edge = Edge{Vec3(-0.3, 0, 0), Vec3(0, 0, 0)};
-    scene.tool->friction = 0;
-    if (with_shape) scene.tool->description = "blade.urdf";
+    bladeOf(&scene.tools[0]).edge = Edge{Vec3(-0.3, 0, 0), Vec3(0, 0, 0)};
+    scene.tools[0].friction = 0;
+    if (with_shape) scene.tools[0].description = "blade.urdf";
     return scene;
   }
   static Descriptions description() {
-    return {
-        "<robot name='tool'><link name='blade'><collision><origin xyz='-0.15 0 0.01'/>"
-        "<geometry><box size='0.3 0.004 0.02'/></geometry></collision></link></robot>",
-        ""};
+    return {{"<robot name='tool'><link name='blade'><collision><origin xyz='-0.15 0 0.01'/>"
+             "<geometry><box size='0.3 0.004 0.02'/></geometry></collision></link></robot>"},
+            ""};
   }
 
   Vec3 to(double end) {

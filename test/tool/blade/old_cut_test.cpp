@@ -4,6 +4,7 @@
 
 #include "support/blade.h"
 #include "support/cuts.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -18,9 +19,9 @@ Scene blockAndBlade(double cutting_force, bool progressive) {
   scene.body.material = {1e5, 0.3, 1000, 0, 0};
   scene.gravity = Vec3::Zero();
   scene.solver.method = Method::DIRECT;
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.6)}};
-  scene.tool->cutting_force = cutting_force;
-  scene.tool->progressive = progressive;
+  scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.6)})};
+  bladeOf(&scene.tools[0]).cutting_force = cutting_force;
+  bladeOf(&scene.tools[0]).progressive = progressive;
   return scene;
 }
 
@@ -147,7 +148,8 @@ TEST_P(OldCut, LetsAStrokeGoOnBeyondItsEnd) {
     drawAlongX(1.1, [&](double) { return FACES + beside; });
     EXPECT_EQ(body.counts().cracks, 2);
     EXPECT_NEAR(area, 0.5 * 0.5, 0.1 * 0.5 * 0.5);
-    if (beside == 0 && scene().tool->cutting_force == 0) {
+    Scene shown = scene();
+    if (beside == 0 && bladeOf(&shown.tools[0]).cutting_force == 0) {
       EXPECT_EQ(body.counts().pieces, 2);
     }
   }

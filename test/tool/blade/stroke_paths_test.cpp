@@ -3,6 +3,7 @@
 #include <random>
 
 #include "support/blade.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -91,7 +92,7 @@ TEST(StrokePath, ASlicingEdgeCutsThePlaneItLiesIn) {
   // Tilted by 30° in the plane of the cut, and drawn along itself four times as far as it advances.
   const Eigen::Quaterniond tilt(Eigen::AngleAxisd(M_PI / 6, Vec3::UnitY()));
   Scene scene = plateAndBlade();
-  scene.tool->edge = Edge{Vec3(0, 0, -3), Vec3(0, 0, 3)};
+  bladeOf(&scene.tools[0]).edge = Edge{Vec3(0, 0, -3), Vec3(0, 0, 3)};
   for (const int moves : {25, 250}) {
     DeformableBody body(scene, loadMesh(scene));
     const Vec3 edge = tilt * Vec3::UnitZ();
@@ -113,7 +114,7 @@ TEST(StrokePath, ABladePressedInFromAboveCutsToItsDepthAlongItsLength) {
   scene.body.grid = GridSettings{{8, 4, 8}, Vec3(0.4, 0.2, 0.4), Vec3::Zero()};
   scene.gravity = Vec3::Zero();
   scene.solver.method = Method::DIRECT;
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0.1, 0.08, 0), Vec3(0.3, 0.08, 0)}};
+  scene.tools = {bladeTool(Edge{Vec3(0.1, 0.08, 0), Vec3(0.3, 0.08, 0)})};
   DeformableBody body(scene, loadMesh(scene));
   draw(&body, along(40, [](double s) { return poseAt(0, 0, 0.45 - 0.25 * s); }));
   EXPECT_EQ(body.counts().pieces, 1);
@@ -134,7 +135,7 @@ TEST(StrokePath, AScrewedBladeCutsAHelicalSurface) {
   // It turns round its way by a quarter while it goes through.
   for (const int moves : {30, 300}) {
     Scene scene = plateAndBlade();
-    scene.tool->edge = Edge{Vec3(0, 0, -1), Vec3(0, 0, 1)};
+    bladeOf(&scene.tools[0]).edge = Edge{Vec3(0, 0, -1), Vec3(0, 0, 1)};
     DeformableBody body(scene, loadMesh(scene));
     const double turn = 0.8;
     draw(&body, along(moves, [&](double s) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/blade.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -21,7 +22,7 @@ std::vector<Pose> circle(double turns, int moves) {
 
 TEST(StrokePieces, AClosedLoopFreesItsPlugWhereElementsAreCutWhole) {
   Scene scene = plateAndBlade(8);
-  scene.tool->progressive = false;
+  bladeOf(&scene.tools[0]).progressive = false;
   DeformableBody body(scene, loadMesh(scene));
   draw(&body, circle(1.15, 150));  // it overshoots
   const std::vector<double> volumes = body.pieceVolumes();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "incision/body/deformable_body.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -24,7 +25,7 @@ class StrokeTest : public ::testing::Test {
     scene.body.grid = GridSettings{{8, 4, 4}, Vec3(1, 0.5, 0.5), Vec3::Zero()};
     scene.gravity = Vec3::Zero();
     scene.solver.method = Method::DIRECT;
-    scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.4), Vec3(0, 0, 0.4)}};
+    scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.4), Vec3(0, 0, 0.4)})};
     return scene;
   }
 
@@ -156,9 +157,9 @@ TEST(StrokeInMovingTissue, SeparatesLikeAtRest) {
   scene.body.grid = GridSettings{{10, 6, 4}, Vec3(0.2, 0.12, 0.08), Vec3::Zero()};
   scene.body.material = {1e5, 0.4, 1000, 1, 0};
   scene.boundary = {{{Vec3::Constant(-1), Vec3(1e-6, 1, 1)}, Vec3::Zero()}};
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3)}};
+  scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3)})};
   for (int k = 0; k <= 80; ++k)
-    scene.tool->poses.push_back({0.01 * k, {Vec3(0.085, -0.02 + 0.002 * k, 0), Eigen::Quaterniond::Identity()}});
+    scene.tools[0].poses.push_back({0.01 * k, {Vec3(0.085, -0.02 + 0.002 * k, 0), Eigen::Quaterniond::Identity()}});
   DeformableBody body(scene, loadMesh(scene));
   std::vector<CutResult> strokes;  // after the first, what it has cut off may swing back into the blade
   for (int k = 0; k <= 80; ++k)
@@ -286,8 +287,8 @@ TEST_F(StrokeTest, InAStretchedBodyCutsWhereTheMaterialIs) {
 
 TEST_F(StrokeTest, TheScenesPosesAreFollowed) {
   Scene scripted = scene();
-  scripted.tool->poses = {{0, {Vec3(-0.1, Y, 0.25), Eigen::Quaterniond::Identity()}},
-                          {0.1, {Vec3(1.1, Y, 0.25), Eigen::Quaterniond::Identity()}}};
+  scripted.tools[0].poses = {{0, {Vec3(-0.1, Y, 0.25), Eigen::Quaterniond::Identity()}},
+                             {0.1, {Vec3(1.1, Y, 0.25), Eigen::Quaterniond::Identity()}}};
   DeformableBody moving(scripted, loadMesh(scripted));
   int ended = 0;
   for (int k = 0; k < 15; ++k)

@@ -6,6 +6,7 @@
 
 #include "support/blade.h"
 #include "support/sanitized.h"
+#include "support/tool.h"
 
 namespace incision {
 namespace {
@@ -22,8 +23,8 @@ Scene pulledBlock(int cells, bool progressive, Method method = Method::DIRECT) {
                  {{Vec3(-1, -1, -1), Vec3(1, -0.05 + 1e-6, 1)}, Vec3(0, -200, 0), 0}};
   scene.solver.method = method;
   scene.solver.tolerance = 1e-9;
-  scene.tool = ToolSettings{"", "blade", Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)}};
-  scene.tool->progressive = progressive;
+  scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)})};
+  bladeOf(&scene.tools[0]).progressive = progressive;
   return scene;
 }
 

@@ -7,7 +7,6 @@
 #include "incision/mesh/skin_depth.h"
 #include "incision/tool/blade/stroke.h"
 #include "incision/tool/blade/ties.h"
-#include "incision/tool/settings.h"
 #include "incision/tool/tool_in_step.h"
 
 namespace incision {
@@ -24,6 +23,15 @@ void serialize(Archive& archive, StationMemory& memory) {
   archive(slip, forward);
 }
 
+/// An edge of a tool.
+struct EdgeOfTool {
+  int group;                     ///< of the tool, with which it moves
+  Edge edge;                     ///< in the group's frame
+  std::array<double, 2> fronts;  ///< of the blade where it is pushed along the edge, at either end [m]
+  double cutting_force;          ///< where regions have none of their own [N/m]
+  double friction;               ///< Coulomb's coefficient, along itself
+};
+
 /// What a blade's edge and the tissue that it has not cut yet do to each other. The edge meets the tissue at
 /// its stations, points spread evenly over it. At each the tissue is carried along by a spring with the slip s, the way
 /// of the edge through the material less what has been cut, until the force across the edge reaches F_c ΔL, with the
@@ -35,10 +43,9 @@ void serialize(Archive& archive, StationMemory& memory) {
 /// stations, its tips, the tissue is carried along likewise until the force along the edge reaches F_c times the front.
 class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
  public:
-  /// `edge` in the frame of the tool's link, `fronts` at its two ends [m]. The tool, the ties, the stroke, the
-  /// materials and the mesh must outlive this.
-  CuttingEdge(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts, ToolInStep* tool,
-              const Ties& ties, const Stroke& stroke, const Materials& materials, const CutMesh& mesh);
+  /// The tool, the ties, the stroke, the materials and the mesh must outlive this.
+  CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
+              const Materials& materials, const CutMesh& mesh);
 
   /// The edge is no longer in the tissue that it was in.
   void leave();
@@ -98,6 +105,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
 
   std::vector<double> cutting_forces_;  // in each region [N/m]
   double friction_;
+  int group_;
   Edge edge_;
   ToolInStep* tool_;
   const Ties& ties_;

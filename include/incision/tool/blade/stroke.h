@@ -20,6 +20,12 @@ namespace incision {
 /// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
 class Stroke {
  public:
+  /// Without `progressive` it cuts elements whole, and nothing of them is tied.
+  explicit Stroke(bool progressive) : progressive_(progressive) {}
+
+  /// Another stroke begins with the next start.
+  void restart() { *this = Stroke(progressive_); }
+
   /// The edge stands here while the copies stand at `x` [m], and has not swept anything yet. Without meaning once it
   /// has.
   void start(const Edge& edge, const std::vector<Vec3>& x);
@@ -83,10 +89,10 @@ class Stroke {
   bool crossesItself(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const;
   void measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
   CrackField field(const CutMesh& mesh) const;
-  bool covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi,
-              bool progressive) const;
+  bool covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi) const;
   void settle(const Insertion& done, int before, const CutMesh& mesh);
 
+  bool progressive_;
   Memory memory_;
   Edge start_edge_;            // where the first sweep starts [m]
   std::vector<Vec3> start_x_;  // and the copies then [m]

@@ -64,24 +64,23 @@ void serialize(Archive& archive, TiesMemory& memory) {
   archive(ties, area);
 }
 
-/// What ties together the two faces of a stroke's crack in elements that the blade has entered and not left: per area
+/// What ties together the two faces of strokes' cracks in elements that the blade has entered and not left: per area
 /// that it has not swept the stiffness κ = κ₀ (1 − s)/s, s being the swept share of the element's section. So nothing
 /// jumps when the blade enters or leaves an element: κ is infinite at s = 0 and vanishes at s = 1. It stands for the
 /// element's own stiffness across the crack, κ₀ = E/h for an element of size h. Where uncut neighbours still join its
 /// faces at a node, they cannot open there; so s counts from when the last node that came apart did.
 class Ties : public WithMemory<Coupler, TiesMemory> {
  public:
-  /// Without `progressive` nothing is tied. `materials` must outlive this.
-  Ties(const Materials& materials, bool progressive) : materials_(materials), progressive_(progressive) {}
+  /// `materials` must outlive this.
+  explicit Ties(const Materials& materials) : materials_(materials) {}
 
-  bool progressive() const { return progressive_; }
-
-  /// A stroke has split these parts and severed these faces; `swept` is its sweep so far in each element.
+  /// A stroke has split these parts and severed these faces; `swept` is its sweep so far in each element. Unless it is
+  /// `progressive` nothing is tied.
   template <typename Sweep>
-  void add(const Insertion& done, const CutMesh& mesh, const Sweep& swept) {
+  void add(const Insertion& done, const CutMesh& mesh, const Sweep& swept, bool progressive) {
     memory_.area += done.severed_area;
     const std::size_t first = memory_.ties.size();
-    for (int p : done.parts) addSection(done.crack, p, mesh);
+    for (int p : done.parts) addSection(done.crack, p, mesh, progressive);
     for (std::size_t t = first; t < memory_.ties.size(); ++t)
       if (const auto found = swept.find(memory_.ties[t].section.element); found != swept.end())
         for (const SweptTriangle& triangle : found->second) mark(triangle, true, &memory_.ties[t]);
@@ -111,12 +110,11 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
   Ahead ahead(int element, const Barycentric& point) const;
 
  private:
-  void addSection(int crack, int part, const CutMesh& mesh);
+  void addSection(int crack, int part, const CutMesh& mesh, bool progressive);
   void mark(const SweptTriangle& triangle, bool own_crack, Tie* tie);
   void finishSweep();
 
   const Materials& materials_;
-  bool progressive_;
 };
 
 }  // namespace incision

@@ -1,0 +1,44 @@
+#include "incision/tool/kinds.h"
+
+#include "incision/tool/blade/blade.h"
+#include "incision/tool/probe/probe.h"
+
+namespace incision {
+namespace {
+
+/// A kind's own parser as that of any kind.
+template <auto parse>
+KindSettings parsed(const YamlMap& tool) {
+  return parse(tool);
+}
+
+}  // namespace
+
+const std::vector<ToolKind>& toolKinds() {
+  static const std::vector<ToolKind> kinds = {
+      {"blade", {"edge", "cutting_force", "progressive"}, false, parsed<parseBlade>, makeBlade},
+      {"probe", {}, false, parsed<parseProbe>, makeProbe},
+  };
+  static_assert(std::variant_size_v<KindSettings> == 2, "each alternative has a line above");
+  return kinds;
+}
+
+Touching linkTouching(const ToolSettings& settings, const Description& description, const std::optional<Edge>& edge,
+                      ContactSkin* skin) {
+  Touching touching;
+  if (!skin || settings.link.empty() || description.links.empty()) return touching;
+  Obstacles shapes = loadLink(description, settings.link);
+  if (!shapes.shapes.empty())
+    touching.push_back(std::make_unique<ToolContact>(0, std::move(shapes), settings.friction, edge, skin));
+  return touching;
+}
+
+std::unique_ptr<Tool> makeTool(const ToolSettings& settings, const std::string& urdf,
+                               const ToolSurroundings& surroundings) {
+  Description description;
+  description.name = settings.description;
+  if (!urdf.empty()) description = parseDescription(urdf, settings.description);
+  return kindOf(settings).make(settings, description, surroundings);
+}
+
+}  // namespace incision
