@@ -21,17 +21,17 @@ constexpr double STIFFEST = 10;
 
 }  // namespace
 
-Grip::Grip(double largest, const Mouth& mouth, ToolInStep* tool, const Materials& materials)
-    : largest_(largest), mouth_(mouth), tool_(tool), materials_(materials) {}
+Grip::Grip(double largest, const Mouth& mouth, ToolInStep* tool, const Materials& materials, const CutMesh& mesh)
+    : largest_(largest), mouth_(mouth), tool_(tool), materials_(materials), mesh_(mesh) {}
 
-void Grip::close(const Pose& link, const std::vector<Vec3>& x, const CutMesh& mesh) {
-  memory_.points = gripPoints(mouth_, link, x, mesh, MOST_POINTS);
+void Grip::close(const Pose& link, const std::vector<Vec3>& x) {
+  memory_.points = gripPoints(mouth_, link, x, mesh_, MOST_POINTS);
   memory_.taken = static_cast<int>(memory_.points.size());
 }
 
 void Grip::changed(const CutMesh& mesh) {
   std::vector<GripPoint>& points = memory_.points;
-  const auto lost = [&](GripPoint& grip) { return !findPart(mesh, &grip); };
+  const auto lost = [&](GripPoint& grip) { return !findPart(mesh, &grip.held); };
   points.erase(std::remove_if(points.begin(), points.end(), lost), points.end());
 }
 
@@ -40,7 +40,7 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
   const std::size_t first = springs->size();
   for (const GripPoint& grip : memory_.points) {
     Spring& spring = springs->emplace_back();
-    for (int I = 0; I < 4; ++I) spring.add(start.mesh.parts()[grip.part].copies[I], grip.point[I]);
+    for (int I = 0; I < 4; ++I) spring.add(start.mesh.parts()[grip.held.part].copies[I], grip.held.point[I]);
   }
   const Span<Spring> own(springs->data() + first, springs->data() + springs->size());
   pulls_.resize(memory_.points.size());
@@ -51,10 +51,9 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
     Pull& pull = pulls_[static_cast<std::size_t>(i)];
     // A spring that gets stiffer keeps its energy.
     const double kept = grip.stiffness > 0 ? std::sqrt(std::min(1.0, grip.stiffness / pull.stiffness)) : 1;
-    const Vec3 slip = composed(from, {grip.anchor, {}}).position - weightedSum(own[i], start.motion.x);
-    pull.slip = kept * slip;
-    pull.anchor = grip.anchor - from.orientation.conjugate() * (slip - pull.slip);
-    pull.drift = composed(to, {pull.anchor, {}}).position - composed(from, {pull.anchor, {}}).position;
+    const Vec3 anchor = composed(from, {grip.anchor, {}}).position;
+    pull.slip = kept * (anchor - weightedSum(own[i], start.motion.x));
+    pull.drift = composed(to, {grip.anchor, {}}).position - anchor;
   }
   return true;
 }
@@ -74,7 +73,7 @@ void Grip::findStiffness(const StepStart& start, Span<Spring> springs) {
     double mobility = on_piece_[pieceOf(spring)] / start.piece_mass[pieceOf(spring)];
     for (int k = 0; k < spring.count; ++k)
       mobility += std::abs(spring.weights[k]) * crowd_[spring.copies[k]] / start.inertia[spring.copies[k]];
-    const int element = memory_.points[static_cast<std::size_t>(i)].element;
+    const int element = memory_.points[static_cast<std::size_t>(i)].held.element;
     const double of_tissue =
         GRIP_STIFFNESS * materials_.youngModulus(element) * std::max(length, materials_.size(element)) / memory_.taken;
     pulls_[static_cast<std::size_t>(i)].stiffness = std::min(of_tissue, STIFFEST / (squared_step * mobility));
@@ -104,19 +103,33 @@ void Grip::update(Span<const Vec3> moved, Span<Spring> springs) {
   }
 }
 
-/// An anchor follows its point where that slips.
-void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& felt) {
+void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) {
   tool_->feel(span, felt);
-  const Eigen::Quaterniond to_link = tool_->motion.at(span.to).orientation.conjugate();
-  std::size_t kept = 0;
+  const Pose link = tool_->motion.at(span.to);
+  slipping_.clear();
+  slipped_to_.clear();
   for (std::size_t i = 0; i < memory_.points.size(); ++i) {
-    GripPoint grip = memory_.points[i];
-    const Pull& pull = pulls_[i];
-    const Trial trial = tryAt(pull, moved[static_cast<int>(i)]);
-    grip.anchor = pull.anchor;
-    if (trial.slips) grip.anchor -= (1 - trial.secant / pull.stiffness) * (to_link * trial.slip);
-    grip.stiffness = pull.stiffness;
-    if (!trial.slips || mouth_.isBetween(grip.anchor)) memory_.points[kept++] = grip;
+    GripPoint& grip = memory_.points[i];
+    const Trial trial = tryAt(pulls_[i], moved[static_cast<int>(i)]);
+    grip.stiffness = pulls_[i].stiffness;
+    if (!trial.slips) continue;
+    slipping_.push_back(i);
+    slipped_to_.push_back(composed(link, {grip.anchor, {}}).position - trial.secant / grip.stiffness * trial.slip);
+  }
+  if (!slipping_.empty()) letSlip(end.x);
+}
+
+/// Each anchor whose material slips holds what has come to be where its spring ends, and is done with where that is
+/// nothing.
+void Grip::letSlip(const std::vector<Vec3>& x) {
+  findMaterial(slipped_to_, x, mesh_, &found_);
+  for (std::size_t k = 0; k < slipping_.size(); ++k)
+    if (found_[k]) memory_.points[slipping_[k]].held = *found_[k];
+  std::size_t k = 0, kept = 0;
+  for (std::size_t i = 0; i < memory_.points.size(); ++i) {
+    const bool slips = k < slipping_.size() && slipping_[k] == i;
+    if (!slips || found_[k]) memory_.points[kept++] = memory_.points[i];
+    if (slips) ++k;
   }
   memory_.points.resize(kept);
 }

@@ -11,8 +11,8 @@ namespace incision {
 
 /// What of a grip outlasts a step.
 struct GripMemory {
-  std::vector<GripPoint> points;  ///< those that are held still
-  int taken = 0;                  ///< how many they were when the jaws closed
+  std::vector<GripPoint> points;  ///< that hold something still
+  int taken = 0;                  ///< how many there were when the jaws closed
 };
 
 template <class Archive>
@@ -21,21 +21,22 @@ void serialize(Archive& archive, GripMemory& memory) {
   archive(points, taken);
 }
 
-/// The grip of closed jaws on what lies between them: springs from points of the material to the tool's link. Each
-/// carries its point along with k s, s being how far the point is from where it is held, until that reaches the
-/// point's even share of the largest force there may be; then the point slips along with just this force. A point
-/// that has slipped out of the mouth is let go, and what the others can hold together is so much less.
+/// The grip of closed jaws on what lies between them: springs between places in the mouth, the anchors, and the
+/// material that is there. Each carries its material along with k s, s being how far the anchor is before it, until
+/// that reaches the anchor's even share of the largest force there may be: then the material slips through the mouth
+/// against just this force, and the anchor holds what comes to be there. An anchor from which the material has slipped
+/// away is done with, and what the others can hold together is so much less.
 ///
 /// In a step a spring is stiff as the tissue in the mouth is, times GRIP_STIFFNESS, and no stiffer than it takes to
 /// move what hangs on it.
 class Grip : public WithMemory<Coupler, GripMemory> {
  public:
-  /// `largest` force [N] of all points together. `mouth`, the tool and the materials must outlive this.
-  Grip(double largest, const Mouth& mouth, ToolInStep* tool, const Materials& materials);
+  /// `largest` force [N] of all anchors together. All that is referred to must outlive this.
+  Grip(double largest, const Mouth& mouth, ToolInStep* tool, const Materials& materials, const CutMesh& mesh);
 
   /// The jaws have closed, with the tool's link at `link` and the copies at `x` [m]: takes what lies between them, and
   /// holds it where it is, so that there is no force at first.
-  void close(const Pose& link, const std::vector<Vec3>& x, const CutMesh& mesh);
+  void close(const Pose& link, const std::vector<Vec3>& x);
   /// Lets go of all.
   void open() { memory_ = GripMemory(); }
 
@@ -51,8 +52,7 @@ class Grip : public WithMemory<Coupler, GripMemory> {
  private:
   /// A point in this step.
   struct Pull {
-    Vec3 anchor;       // in the frame of the tool's link [m]
-    Vec3 slip;         // how far the anchor is from the point when the step starts [m]
+    Vec3 slip;         // how far the anchor is before the material when the step starts [m]
     Vec3 drift;        // of the anchor in the step [m]
     double stiffness;  // [N/m]
   };
@@ -65,16 +65,21 @@ class Grip : public WithMemory<Coupler, GripMemory> {
 
   double share() const { return memory_.taken > 0 ? largest_ / memory_.taken : 0; }
   void findStiffness(const StepStart& start, Span<Spring> springs);
+  void letSlip(const std::vector<Vec3>& x);
   Trial tryAt(const Pull& pull, const Vec3& moved) const;
 
   double largest_;
   const Mouth& mouth_;
   ToolInStep* tool_;
   const Materials& materials_;
+  const CutMesh& mesh_;
   // Of this step:
-  std::vector<Pull> pulls_;    // of each point
-  std::vector<double> crowd_;  // weights of all points on each copy; zero between steps
-  std::vector<int> on_piece_;  // points on each piece; zero between steps
+  std::vector<Pull> pulls_;                          // of each point
+  std::vector<double> crowd_;                        // weights of all points on each copy; zero between steps
+  std::vector<std::size_t> slipping_;                // anchors whose material slips,
+  std::vector<Vec3> slipped_to_;                     // and where what they hold then is [m],
+  std::vector<std::optional<MaterialPoint>> found_;  // which is this
+  std::vector<int> on_piece_;                        // points on each piece; zero between steps
 };
 
 }  // namespace incision
