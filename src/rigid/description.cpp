@@ -7,6 +7,10 @@
 #include <map>
 
 #include "incision/base/input_error.h"
+#include "incision/base/lists.h"
+#include "incision/base/printable.h"
+#include "incision/base/suggestion.h"
+#include "incision/base/yaml_reader.h"
 #include "incision/rigid/box.h"
 #include "incision/rigid/cylinder.h"
 #include "incision/rigid/sphere.h"
@@ -138,36 +142,88 @@ DescribedLink toLink(const urdf::Link& link, const Pose& pose) {
   return described;
 }
 
-// The links, parents before their children.
-std::vector<DescribedLink> linksOf(const urdf::ModelInterface& model) {
+JointKind kindOf(const urdf::Joint& joint) {
+  switch (joint.type) {
+    case urdf::Joint::FIXED:
+      return JointKind::FIXED;
+    case urdf::Joint::REVOLUTE:
+    case urdf::Joint::CONTINUOUS:
+      return JointKind::REVOLUTE;
+    case urdf::Joint::PRISMATIC:
+      return JointKind::PRISMATIC;
+    default:
+      return JointKind::OTHER;
+  }
+}
+
+DescribedJoint toJoint(const urdf::Joint& joint, int parent, int child) {
+  DescribedJoint described;
+  described.name = joint.name;
+  described.kind = kindOf(joint);
+  described.parent = parent;
+  described.child = child;
+  described.origin = toPose(joint.parent_to_joint_origin_transform);
+  described.axis = toVec3(joint.axis);
+  if (joint.mimic)
+    described.mimic = DescribedJoint::Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
+  if (joint.limits && joint.type != urdf::Joint::CONTINUOUS)
+    described.limits = {joint.limits->lower, joint.limits->upper};
+  return described;
+}
+
+// The links, parents before their children, and the joints by which they hang.
+Description describe(const urdf::ModelInterface& model, const std::string& name) {
   std::vector<urdf::LinkConstSharedPtr> order = {model.getRoot()};
-  std::vector<DescribedLink> links = {toLink(*order[0], Pose())};
+  Description description{name, {toLink(*order[0], Pose())}};
   for (std::size_t i = 0; i < order.size(); ++i) {
     const urdf::LinkConstSharedPtr parent = order[i];  // order grows
     for (const auto& child : parent->child_links) {
-      const Pose joint = toPose(child->parent_joint->parent_to_joint_origin_transform);
-      links.push_back(toLink(*child, composed(links[i].pose, joint)));
+      description.joints.push_back(
+          toJoint(*child->parent_joint, static_cast<int>(i), static_cast<int>(description.links.size())));
+      const Pose pose = composed(description.links[i].pose, description.joints.back().origin);
+      description.links.push_back(toLink(*child, pose));
       order.push_back(child);
     }
   }
-  return links;
+  return description;
+}
+
+/// The index of the one called `name` of those that have names; "what does not exist, …" where there is none.
+/// `allowed` says which of them may be meant.
+template <class Named, class Allowed>
+int indexOf(const std::string& name, const std::vector<Named>& all, const std::string& what, const char* if_none,
+            const Allowed& allowed) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+  if (found != all.end()) return static_cast<int>(found - all.begin());
+  std::vector<std::string> names;
+  for (const Named& one : all)
+    if (allowed(one)) names.push_back(one.name);
+  throw InputError(what + " does not exist" + suggestion(name, names) +
+                   " (allowed: " + (names.empty() ? if_none : printable(joined(names))) + ")");
 }
 
 }  // namespace
 
-const DescribedLink& Description::link(const std::string& link) const {
-  const auto found = std::find_if(links.begin(), links.end(), [&](const DescribedLink& l) { return l.name == link; });
-  if (found == links.end())
-    throw InputError(linkInMessage(name, link) + " does not exist (allowed: a link of the description)");
-  return *found;
+const DescribedLink& Description::link(const std::string& link) const { return links[linkIndex(link)]; }
+
+int Description::linkIndex(const std::string& link) const {
+  return indexOf(link, links, linkInMessage(name, link), "none, it has no links", [](const auto&) { return true; });
+}
+
+int Description::jointIndex(const std::string& joint) const {
+  const auto moves = [](const DescribedJoint& one) {
+    return one.kind == JointKind::REVOLUTE || one.kind == JointKind::PRISMATIC;
+  };
+  return indexOf(joint, joints, jointInMessage(name, joint), "none, no joint of it moves", moves);
 }
 
 Description parseDescription(const std::string& urdf, const std::string& name) {
   checkSize(urdf, name);
   const UrdfText text(urdf + PADDING);
+  text.checkExpanded(name);
   text.checkTree(name);
   const Parsed parsed = parseModel(urdf, name);
-  Description description{name, linksOf(*parsed.model)};
+  Description description = describe(*parsed.model, name);
   std::map<std::string, std::size_t> collisions = text.countCollisions();
   for (DescribedLink& link : description.links)
     if (link.solids.size() < collisions[link.name]) link.fault = "a collision shape cannot be read" + parsed.complaint;
@@ -176,6 +232,10 @@ Description parseDescription(const std::string& urdf, const std::string& name) {
 
 std::string linkInMessage(const std::string& name, const std::string& link) {
   return name + ": link '" + oneLine(link) + "'";
+}
+
+std::string jointInMessage(const std::string& name, const std::string& joint) {
+  return name + ": joint '" + oneLine(joint) + "'";
 }
 
 void checkSolid(const DescribedSolid& described, const std::string& where) {

@@ -16,6 +16,22 @@ std::string linkOf(const TiXmlElement& joint, const char* end) {
   return link ? link : "";
 }
 
+/// Whether it is an element of xacro's, or one whose attributes xacro has to reckon.
+bool isForXacro(const TiXmlElement& element) {
+  if (element.ValueStr().rfind("xacro:", 0) == 0) return true;
+  for (const TiXmlAttribute* a = element.FirstAttribute(); a; a = a->Next())
+    if (a->ValueStr().find("${") != std::string::npos || a->ValueStr().find("$(") != std::string::npos) return true;
+  return false;
+}
+
+/// The element that comes after this one in the text, or null.
+const TiXmlElement* after(const TiXmlElement* element) {
+  if (const TiXmlElement* child = element->FirstChildElement()) return child;
+  for (const TiXmlNode* node = element; node; node = node->Parent())
+    if (const TiXmlElement* next = node->NextSiblingElement()) return next;
+  return nullptr;
+}
+
 }  // namespace
 
 UrdfText::UrdfText(const std::string& urdf) {
@@ -26,6 +42,12 @@ UrdfText::UrdfText(const std::string& urdf) {
 const TiXmlElement* UrdfText::first(const char* element) const {
   const TiXmlElement* robot = document_.FirstChildElement("robot");
   return robot ? robot->FirstChildElement(element) : nullptr;
+}
+
+void UrdfText::checkExpanded(const std::string& name) const {
+  for (const TiXmlElement* element = document_.RootElement(); element; element = after(element))
+    if (isForXacro(*element))
+      throw InputError(name + ": a xacro file (allowed: a URDF; this makes one of it: xacro in.xacro > out.urdf)");
 }
 
 void UrdfText::checkTree(const std::string& name) const {

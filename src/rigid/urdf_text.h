@@ -14,6 +14,10 @@ class UrdfText {
  public:
   explicit UrdfText(const std::string& urdf);
 
+  /// Throws InputError when the text is for xacro, which makes a URDF of it. One that xacro has made may still name it
+  /// in its first element and in comments.
+  void checkExpanded(const std::string& name) const;
+
   /// Throws InputError when a link has two parents, or joints go in a circle: urdfdom never frees a circle.
   void checkTree(const std::string& name) const;
 

@@ -231,7 +231,7 @@ TEST(ToolContacts, IsRefusedWhereItIsNoneOfTheShapes) {
   EXPECT_EQ(refusal(toolUrdf("<box size='0.1 0 0.1'/>")),
             "tool.urdf: link 'blade': the box's size 0 (allowed: 1e-06 to 1e+06 m)");
   EXPECT_EQ(refusal("<robot name='tool'><link name='handle'/></robot>"),
-            "tool.urdf: link 'blade' does not exist (allowed: a link of the description)");
+            "tool.urdf: link 'blade' does not exist (allowed: handle)");
   EXPECT_EQ(refusal("no xml").find("tool.urdf: not a robot description"), 0u);
   EXPECT_EQ(refusal(toolUrdf("<sphere radius='0.01'/>")), "");
 }

@@ -15,9 +15,6 @@ constexpr double EDGE_STIFFNESS = 20;
 constexpr double STATIONS_PER_ELEMENT = 8;
 constexpr double MAX_STATIONS = 256;
 
-/// A point is in an element up to this beyond its faces, in its own coordinates: rounding.
-constexpr double OUTSIDE = 1e-9;
-
 /// What resists an edge in tissue is looked for this far before it, in elements: at the edge itself it would be what it
 /// is just leaving. Where there is no tissue so far on, it comes out, and what it leaves is all there is.
 constexpr double LEAD = 0.2;
@@ -29,15 +26,6 @@ constexpr double STILL = 1e-9;
 constexpr double TURNED = 0.25;
 
 Vec3 atStation(const Edge& edge, double share) { return edge[0] + share * (edge[1] - edge[0]); }
-
-/// Whether a point of the element lies in the part.
-bool encloses(const Polytope& polytope, const Barycentric& point) {
-  return std::all_of(polytope.facets.begin(), polytope.facets.end(), [&](const Facet& facet) {
-    const auto in_affine = [](const Barycentric& b) -> Vec3 { return b.tail<3>(); };
-    const Vec3 out = vectorArea(polytope, facet, in_affine);
-    return out.dot((point - polytope.corners[facet.corners[0]]).tail<3>()) <= OUTSIDE;
-  });
-}
 
 double stationCount(const Edge& edge, double size) {
   return std::clamp(std::ceil(STATIONS_PER_ELEMENT * (edge[1] - edge[0]).norm() / size), 1.0, MAX_STATIONS);

@@ -1,6 +1,5 @@
 #include "incision/tool/blade/sweep.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -57,24 +56,6 @@ double areaOf(const Barycentric& a, const Barycentric& b, const Barycentric& c) 
 }
 
 }  // namespace
-
-PartFrame::PartFrame(const Part& part, const std::vector<Vec3>& x) : origin_(x[part.copies[0]]) {
-  for (int k = 0; k < 3; ++k) edges_.col(k) = x[part.copies[k + 1]] - origin_;
-  edges_.computeInverseWithCheck(inverse_, invertible_, 0.0);
-}
-
-Barycentric PartFrame::toElement(const Vec3& point) const {
-  Barycentric b;
-  b.tail<3>() = inverse_ * (point - origin_);
-  b[0] = 1 - b.tail<3>().sum();
-  return b;
-}
-
-Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x) {
-  Eigen::AlignedBox3d box(x[part.copies[0]]);
-  for (int I = 1; I < 4; ++I) box.extend(x[part.copies[I]]);
-  return box;
-}
 
 bool isBehind(const SweptTriangle& triangle, const Barycentric& point, const Vec3& direction) {
   std::array<double, 3> side;  // twice the areas that the point's image cuts the triangle's into

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
 #include "incision/cut/cut_mesh.h"
-#include "incision/tool/settings.h"
+#include "incision/rigid/pose.h"
+#include "incision/tool/part_frame.h"
 
 namespace incision {
 
@@ -16,23 +16,6 @@ inline constexpr double SLIT_REACH = 0.2, SLIT_COSINE = 0.8;
 
 /// A triangle that an edge has swept, in an element's coordinates.
 using SweptTriangle = std::array<Barycentric, 3>;
-
-/// Map between the body and an element's coordinates as one part sees them.
-class PartFrame {
- public:
-  PartFrame(const Part& part, const std::vector<Vec3>& x);
-  bool invertible() const { return invertible_; }
-  Barycentric toElement(const Vec3& point) const;
-  Vec3 toBody(const Barycentric& b) const { return origin_ + edges_ * b.tail<3>(); }
-
- private:
-  Vec3 origin_;
-  Mat3 edges_, inverse_;
-  bool invertible_ = false;
-};
-
-/// Box round a part's copies, the whole element.
-Eigen::AlignedBox3d boxOf(const Part& part, const std::vector<Vec3>& x);
 
 /// Whether a line through `point` along `direction` meets a triangle, all in an element's affine coordinates. Triangles
 /// that share an edge leave no gap between them, at whatever distance and angle they pass the point.
