@@ -110,7 +110,7 @@ std::optional<CutResult> Tool::endStep(double time_step, const Motion& motion, M
   if (!in_step_.in_place) return std::nullopt;
   tool_.pose = in_step_.groups[0].to;
   tool_.path.clear();
-  if (!in_step_.active) return std::nullopt;
+  if (!in_step_.active) return interrupt();
   return act(time_step, motion, door);
 }
 

@@ -99,9 +99,9 @@ class Tool : public Remembers {
   /// What it is doing ends. Returns what became of it, if it did anything.
   virtual std::optional<CutResult> interrupt() { return std::nullopt; }
 
-  /// The poses of a group in the step, from that at which it starts; each takes as long as any other. One alone where
-  /// nothing moves.
-  const std::vector<Pose>& wayOf(int group) const { return ways_[static_cast<std::size_t>(group)]; }
+  /// The poses of each group in the step, from that at which it starts; each takes as long as any other. One alone
+  /// where nothing moves.
+  const std::vector<std::vector<Pose>>& ways() const { return ways_; }
 
   ToolMemory tool_;
   ToolInStep in_step_;

@@ -9,20 +9,20 @@ namespace incision {
 Blade::Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
              const ToolSurroundings& surroundings, Touching touching)
     : Tool(settings, std::move(touching)),
-      edge_(settings.name, {0, edge, fronts, std::get<BladeSettings>(settings.kind).cutting_force, settings.friction},
+      edge_(settings.name, {{0, edge, fronts, std::get<BladeSettings>(settings.kind).cutting_force, settings.friction}},
             std::get<BladeSettings>(settings.kind).progressive, &in_step_, &surroundings.ties, surroundings.materials,
             surroundings.mesh) {}
 
 ToolForm Blade::form() const {
   ToolForm form = Tool::form();
-  form.edges = {{0, edge_.edge()}};
-  form.extent = edge_.edge();
+  form.extent = edge_.edges()[0].edge;
+  form.edges = {{0, form.extent}};
   return form;
 }
 
 std::vector<Coupler*> Blade::couplers() {
   std::vector<Coupler*> list = Tool::couplers();
-  list.push_back(edge_.coupler());
+  edge_.addCouplers(&list);
   return list;
 }
 

@@ -52,28 +52,28 @@ bool meetsMaterial(const CutMesh& mesh, int part, const std::array<Barycentric, 
 
 /// Finds the parts that the sweep passes. It starts where the last sweep left the element's material, so the surface
 /// has no gaps however the tissue moves under the blade. Returns false where the edge has hardly moved in any.
-bool Stroke::record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
+bool Stroke::record(const Stand& last, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) {
   passed_.clear();
   beside_.clear();
   const Vec3 direction = (to[1] - to[0]).normalized();
   const double least = MIN_SWEEP * (to[1] - to[0]).norm();
   Eigen::AlignedBox3d reach;
-  for (const Edge& edge : {memory_.from, to})
+  for (const Edge& edge : {last.edge, to})
     for (const Vec3& end : edge) reach.extend(end);
   bool near = false, moved = false;
   for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
     const Part& part = mesh.parts()[p];
-    const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, memory_.last_x));
+    const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, last.x));
     const auto meets = [&](double margin) {
       const Vec3 room = margin * box.sizes();
       return reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room));
     };
     if (!meets(part.detail >= 0 ? FREEING_MARGIN : MARGIN)) continue;
-    const PartFrame was(part, memory_.last_x), is(part, x);
+    const PartFrame was(part, last.x), is(part, x);
     if (!was.invertible() || !is.invertible()) continue;
     Passed passed;
     passed.part = static_cast<int>(p);
-    passed.corners = {was.toElement(memory_.from[0]), was.toElement(memory_.from[1]), is.toElement(to[1]),
+    passed.corners = {was.toElement(last.edge[0]), was.toElement(last.edge[1]), is.toElement(to[1]),
                       is.toElement(to[0])};
     if (outside(passed.corners, FREEING_MARGIN)) continue;
     if (!meets(MARGIN) || outside(passed.corners, MARGIN)) {

@@ -36,24 +36,27 @@ bool runsInSlit(const CutMesh& mesh, const Materials& materials, int p, const st
 
 }  // namespace
 
-void Stroke::start(const Edge& edge, const std::vector<Vec3>& x) {
-  if (!memory_.last_x.empty()) return;
-  start_edge_ = edge;
+void Stroke::restart() {
+  memory_ = Memory();
+  start_x_.clear();
+}
+
+void Stroke::start(const std::vector<Edge>& edges, const std::vector<Vec3>& x) {
+  if (!memory_.stands.empty()) return;
+  start_edges_ = edges;
   start_x_ = x;
 }
 
-Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
-                        Ties* ties) {
+Insertion Stroke::sweep(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, const Materials& materials,
+                        MeshDoor* door, Ties* ties) {
   const CutMesh& mesh = door->mesh();
-  if (memory_.last_x.empty()) {
-    memory_.from = start_edge_;
-    memory_.last_x = start_x_;
-  }
-  for (int c = static_cast<int>(memory_.last_x.size()); c < mesh.numCopies(); ++c)
-    memory_.last_x.push_back(memory_.last_x[mesh.copyParent(c)]);
-  if (!record(to, x, mesh)) return {};
-  memory_.from = to;
-  memory_.last_x = x;
+  if (memory_.stands.empty())
+    for (const Edge& from : start_edges_) memory_.stands.push_back({from, start_x_});
+  Stand& last = memory_.stands[edge];
+  for (int c = static_cast<int>(last.x.size()); c < mesh.numCopies(); ++c) last.x.push_back(last.x[mesh.copyParent(c)]);
+  if (!record(last, to, x, mesh)) return {};
+  last.edge = to;
+  last.x = x;
   if (passed_.empty()) return {};
   keepTriangles(mesh);
   ties->sweep(just_swept_, memory_.crack);
@@ -70,15 +73,16 @@ Insertion Stroke::sweep(const Edge& to, const std::vector<Vec3>& x, const Materi
 }
 
 /// The crack keeps the distances that it has.
-Insertion Stroke::leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door,
-                        Ties* ties) {
+Insertion Stroke::leave(std::size_t edge, const Edge& way, const std::vector<Vec3>& x, const Materials& materials,
+                        MeshDoor* door, Ties* ties) {
   const double moved = std::max(way[0].norm(), way[1].norm());
   if (!memory_.crack || !(moved > 0)) return {};
   const CutMesh& mesh = door->mesh();
-  memory_.last_x = x;
+  Stand& last = memory_.stands[edge];
+  last.x = x;
   const double beyond = LEAVING * materials.meanSize() / moved;
-  const Edge to = {memory_.from[0] + beyond * way[0], memory_.from[1] + beyond * way[1]};
-  if (!record(to, x, mesh) || passed_.empty()) return {};
+  const Edge to = {last.edge[0] + beyond * way[0], last.edge[1] + beyond * way[1]};
+  if (!record(last, to, x, mesh) || passed_.empty()) return {};
   keepTriangles(mesh);
   ties->sweep(just_swept_, memory_.crack);
   return cut(materials, door, ties);

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "incision/tool/blade/working_edge.h"
+#include "incision/tool/blade/working_edges.h"
 #include "incision/tool/kinds.h"
 
 namespace incision {
@@ -10,7 +10,7 @@ namespace incision {
 /// What of a blade outlasts a step, but for what its couplers keep.
 struct BladeMemory {
   ToolMemory tool;
-  WorkingEdgeMemory edge;
+  WorkingEdgesMemory edge;
 };
 
 template <class Archive>
@@ -37,14 +37,14 @@ class Blade : public Tool {
   std::any read(ArchiveReader* archive) const override { return readKept<BladeMemory>(archive); }
 
  protected:
-  void start(const std::vector<Vec3>& x) override { edge_.start(in_step_.groups[0].from, x); }
+  void start(const std::vector<Vec3>& x) override { edge_.start(x); }
   std::optional<CutResult> act(double time_step, const Motion& motion, MeshDoor* door) override {
-    return edge_.act(wayOf(0), time_step, motion, door);
+    return edge_.act(ways(), time_step, motion, door);
   }
   std::optional<CutResult> interrupt() override { return edge_.interrupt(); }
 
  private:
-  WorkingEdge edge_;
+  WorkingEdges edge_;
 };
 
 /// As ToolKind::make says.

@@ -18,27 +18,32 @@ namespace incision {
 /// the blade moves. It keeps its whole sweep so far, carried along in the elements' own coordinates.
 ///
 /// Where the edge comes upon its own crack at an angle, or turns a corner, the stroke goes on as a new crack.
+///
+/// Several edges may make one stroke, as those of scissors, which come towards each other: what each sweeps is of one
+/// crack, so that they meet.
 class Stroke {
  public:
   /// Without `progressive` it cuts elements whole, and nothing of them is tied.
-  explicit Stroke(bool progressive) : progressive_(progressive) {}
+  Stroke(bool progressive, std::size_t edges) : progressive_(progressive), start_edges_(edges) {}
 
   /// Another stroke begins with the next start.
-  void restart() { *this = Stroke(progressive_); }
+  void restart();
 
-  /// The edge stands here while the copies stand at `x` [m], and has not swept anything yet. Without meaning once it
+  /// The edges stand here while the copies stand at `x` [m], and have not swept anything yet. Without meaning once one
   /// has.
-  void start(const Edge& edge, const std::vector<Vec3>& x);
+  void start(const std::vector<Edge>& edges, const std::vector<Vec3>& x);
 
-  /// Adds what the edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
+  /// Adds what an edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
   /// whose section the sweep so far has entered; without progressive ties those whose section's centroid it covers.
   /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.
-  Insertion sweep(const Edge& to, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
+  Insertion sweep(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, const Materials& materials,
+                  MeshDoor* door, Ties* ties);
 
-  /// The edge has come out of the body where it last was, by the motion `way` of its two ends [m], while the copies
+  /// An edge has come out of the body where it last was, by the motion `way` of its two ends [m], while the copies
   /// stand at `x` [m]. A crack that is one plane in each element comes through the skin beside the place where the edge
   /// does, and what of it lies farther on is cut as if the edge had gone on so. The stroke is to end with this.
-  Insertion leave(const Edge& way, const std::vector<Vec3>& x, const Materials& materials, MeshDoor* door, Ties* ties);
+  Insertion leave(std::size_t edge, const Edge& way, const std::vector<Vec3>& x, const Materials& materials,
+                  MeshDoor* door, Ties* ties);
 
   /// Whether the stroke has met any part of the body.
   bool begun() const { return memory_.begun; }
@@ -56,13 +61,18 @@ class Stroke {
     bool settled = false;
   };
 
+  /// Where an edge was at its last sweep.
+  struct Stand {
+    Edge edge = {Vec3::Zero(), Vec3::Zero()};  ///< [m],
+    std::vector<Vec3> x;                       ///< and the copies then [m]
+  };
+
   /// What of the stroke outlasts a step.
   struct Memory {
     std::optional<int> crack;                                  ///< as crack() tells
     int cracks = 0;                                            ///< that it has made
     bool begun = false;                                        ///< it has met a part of the body
-    Edge from = {Vec3::Zero(), Vec3::Zero()};                  ///< at the last sweep [m],
-    std::vector<Vec3> last_x;                                  ///< and the copies then [m]
+    std::vector<Stand> stands;                                 ///< of each edge; none: none has swept anything
     Vec3 normal = Vec3::Zero();                                ///< of the sweep so far, to keep the sides' signs
     std::unordered_map<int, Vec3> ways;                        ///< round each copy: normals of the last sweeps [m]
     std::unordered_map<int, Distance> distances;               ///< of the copies of parts the sweep has passed
@@ -81,7 +91,7 @@ class Stroke {
   };
 
   Insertion cut(const Materials& materials, MeshDoor* door, Ties* ties);
-  bool record(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
+  bool record(const Stand& last, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
   void keepTriangles(const CutMesh& mesh);
   void findHeadings(const CutMesh& mesh);
   void turnAlike();
@@ -94,8 +104,8 @@ class Stroke {
 
   bool progressive_;
   Memory memory_;
-  Edge start_edge_;            // where the first sweep starts [m]
-  std::vector<Vec3> start_x_;  // and the copies then [m]
+  std::vector<Edge> start_edges_;  // where the first sweep of each starts [m]
+  std::vector<Vec3> start_x_;      // and the copies then [m]
   // Of the current sweep:
   std::map<int, Vec3> headings_;  // of the copies passed: the crack's normal; sorted, as they are summed up
   std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;
@@ -104,8 +114,14 @@ class Stroke {
 
 template <class Archive>
 void serialize(Archive& archive, Stroke::Memory& memory) {
-  auto& [crack, cracks, begun, from, last_x, normal, ways, distances, swept] = memory;
-  archive(crack, cracks, begun, from, last_x, normal, ways, distances, swept);
+  auto& [crack, cracks, begun, stands, normal, ways, distances, swept] = memory;
+  archive(crack, cracks, begun, stands, normal, ways, distances, swept);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Stroke::Stand& stand) {
+  auto& [edge, x] = stand;
+  archive(edge, x);
 }
 
 template <class Archive>
