@@ -45,7 +45,7 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
   const Span<Spring> own(springs->data() + first, springs->data() + springs->size());
   pulls_.resize(memory_.points.size());
   findStiffness(start, own);
-  const Pose from = tool_->motion.at(start.span.from), to = tool_->motion.at(start.span.to);
+  const Pose from = tool_->groups[0].at(start.span.from), to = tool_->groups[0].at(start.span.to);
   for (int i = 0; i < own.size(); ++i) {
     const GripPoint& grip = memory_.points[static_cast<std::size_t>(i)];
     Pull& pull = pulls_[static_cast<std::size_t>(i)];
@@ -104,8 +104,8 @@ void Grip::update(Span<const Vec3> moved, Span<Spring> springs) {
 }
 
 void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) {
-  tool_->feel(span, felt);
-  const Pose link = tool_->motion.at(span.to);
+  tool_->feel(0, span, felt);
+  const Pose link = tool_->groups[0].at(span.to);
   slipping_.clear();
   slipped_to_.clear();
   for (std::size_t i = 0; i < memory_.points.size(); ++i) {
