@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "support/allocation_count.h"
+#include "support/forceps.h"
 #include "support/scenes.h"
 #include "support/tool.h"
 
@@ -73,6 +74,30 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
   with_tool.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)})};
   with_tool.tools[0].poses = {{0, {Vec3(0, 0, 50), Eigen::Quaterniond::Identity()}}};
   EXPECT_EQ(allocationsOfUncutSteps(with_tool), 0);
+}
+
+// Held still, and pulled so that it slips.
+TEST_F(StepAllocations, AreNoneWhileAGrasperHolds) {
+  for (const double way : {0.0, 5e-5}) {
+    const Scene scene = slabAndForceps(0.1, false);
+    DeformableBody body(scene, loadMesh(scene), {{forcepsUrdf({})}, ""});
+    body.guideJaw(FORCEPS_OPEN);
+    body.step();
+    body.placeTool(AT_EDGE);
+    body.step();
+    body.guideJaw(0.03);
+    Pose pose = AT_EDGE;
+    const auto stepOn = [&] {
+      pose.position.x() -= way;
+      body.guideTool({pose});
+      body.step();
+    };
+    for (int k = 0; k < 2 * FIRST_STEPS; ++k) stepOn();
+    const auto steps = [&] {
+      for (int k = 0; k < WATCHED_STEPS; ++k) stepOn();
+    };
+    EXPECT_EQ(allocationsOf(steps), 0) << way;
+  }
 }
 
 TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {
