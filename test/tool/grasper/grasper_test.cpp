@@ -78,11 +78,12 @@ struct Hand {
   double largest = 0;
 };
 
-/// The scene with its first tool at the slab from the start, where it closes in the first step.
+/// The scene with its first tool at the slab from the start, opened so far that it just does not touch. It closes in
+/// the first step.
 Scene closing(Scene scene) {
   const double dt = scene.solver.time_step;
   scene.tools[0].poses = {{0, AT_EDGE}, {dt, AT_EDGE}};
-  scene.tools[0].jaw->angles = {{0, FORCEPS_OPEN}, {dt, 0.03}};
+  scene.tools[0].jaw->angles = {{0, 0.12}, {dt, 0.03}};
   return scene;
 }
 
@@ -102,7 +103,7 @@ TEST(Grasper, TellsTheWeightOfWhatItHolds) {
   };
   const std::vector<Case> cases = {{Method::DIRECT, 0.005, 3e4, true},    {Method::DIRECT, 0.005, 3e4, false},
                                    {Method::DIRECT, 0.02, 3e5, true},     {Method::DIRECT, 0.001, 3e5, true},
-                                   {Method::ITERATIVE, 0.005, 3e4, true}, {Method::ITERATIVE, 0.02, 3e4, true},
+                                   {Method::ITERATIVE, 0.005, 3e4, true}, {Method::ITERATIVE, 0.02, 3e4, false},
                                    {Method::ITERATIVE, 0.01, 3e5, false}};
   for (const auto& [method, dt, E, touching] : SANITIZED ? std::vector<Case>{cases[0]} : cases) {
     Scene scene = slabAndForceps(2, touching);
