@@ -44,6 +44,9 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
   }
   const Span<Spring> own(springs->data() + first, springs->data() + springs->size());
   pulls_.resize(memory_.points.size());
+  slipping_.reserve(pulls_.size());
+  slipped_to_.reserve(pulls_.size());
+  found_.reserve(pulls_.size());
   findStiffness(start, own);
   const Pose from = tool_->groups[0].at(start.span.from), to = tool_->groups[0].at(start.span.to);
   for (int i = 0; i < own.size(); ++i) {
