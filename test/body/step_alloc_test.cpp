@@ -86,7 +86,7 @@ TEST_F(StepAllocations, AreNoneWhileAGrasperHolds) {
     scene.tools[0].poses = {{0, AT_EDGE}, {1, facingX(AT_EDGE.position.x() - speed)}};
     scene.tools[0].jaw->angles = {{0, FORCEPS_OPEN}, {0.01, 0.03}};
     DeformableBody body(scene, loadMesh(scene), {{forcepsUrdf({})}, ""});
-    run(&body, 4 * FIRST_STEPS);
+    run(&body, 8 * FIRST_STEPS);
     double least = 1, most = 0;
     const auto steps = [&] {
       for (int k = 0; k < WATCHED_STEPS; ++k) {
