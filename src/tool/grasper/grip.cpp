@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incision/cut/point.h"
-
 namespace incision {
 namespace {
 
@@ -54,9 +52,10 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
     Pull& pull = pulls_[static_cast<std::size_t>(i)];
     // A spring that gets stiffer keeps its energy.
     const double kept = grip.stiffness > 0 ? std::sqrt(std::min(1.0, grip.stiffness / pull.stiffness)) : 1;
-    const Vec3 anchor = composed(from, {grip.anchor, {}}).position;
-    pull.slip = kept * (anchor - weightedSum(own[i], start.motion.x));
-    pull.drift = composed(to, {grip.anchor, {}}).position - anchor;
+    const Vec3 slip = composed(from, {grip.end, {}}).position - weightedSum(own[i], start.motion.x);
+    pull.slip = kept * slip;
+    pull.end = grip.end - from.orientation.conjugate() * (slip - pull.slip);
+    pull.drift = composed(to, {pull.end, {}}).position - composed(from, {pull.end, {}}).position;
   }
   return true;
 }
@@ -115,7 +114,9 @@ void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& en
     GripPoint& grip = memory_.points[i];
     const Trial trial = tryAt(pulls_[i], moved[static_cast<int>(i)]);
     grip.stiffness = pulls_[i].stiffness;
+    grip.end = pulls_[i].end;
     if (!trial.slips) continue;
+    grip.end = grip.anchor;
     slipping_.push_back(i);
     slipped_to_.push_back(composed(link, {grip.anchor, {}}).position - trial.secant / grip.stiffness * trial.slip);
   }

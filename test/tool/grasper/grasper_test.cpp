@@ -232,7 +232,7 @@ TEST(Grasper, TorqueOfTheJawsIsTheWorkThatTheyDo) {
     hand.turnJaw(0.15, 20);
     double work = 0;
     const double to = 0.06;  // the grip stays open
-    const int steps = 2000;
+    const int steps = 1000;
     const double turn = (hand.body.toolJaw() - to) / steps;
     for (int k = 0; k < steps; ++k) {
       hand.body.guideJaw(hand.body.toolJaw() - turn);
