@@ -166,7 +166,7 @@ DescribedJoint toJoint(const urdf::Joint& joint, int parent, int child) {
   described.axis = toVec3(joint.axis);
   if (joint.mimic)
     described.mimic = DescribedJoint::Mimic{joint.mimic->joint_name, joint.mimic->multiplier, joint.mimic->offset};
-  if (joint.limits && joint.type != urdf::Joint::CONTINUOUS)
+  if (joint.limits && joint.limits->lower < joint.limits->upper && joint.type != urdf::Joint::CONTINUOUS)
     described.limits = {joint.limits->lower, joint.limits->upper};
   return described;
 }

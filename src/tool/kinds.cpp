@@ -1,6 +1,7 @@
 #include "incision/tool/kinds.h"
 
 #include "incision/tool/blade/blade.h"
+#include "incision/tool/grasper/grasper.h"
 #include "incision/tool/probe/probe.h"
 
 namespace incision {
@@ -17,9 +18,10 @@ KindSettings parsed(const YamlMap& tool) {
 const std::vector<ToolKind>& toolKinds() {
   static const std::vector<ToolKind> kinds = {
       {"blade", {"edge", "cutting_force", "progressive"}, false, parsed<parseBlade>, makeBlade},
+      {"grasper", {"closed", "grip"}, true, parsed<parseGrasper>, makeGrasper},
       {"probe", {}, false, parsed<parseProbe>, makeProbe},
   };
-  static_assert(std::variant_size_v<KindSettings> == 2, "each alternative has a line above");
+  static_assert(std::variant_size_v<KindSettings> == 3, "each alternative has a line above");
   return kinds;
 }
 

@@ -9,6 +9,7 @@
 #include "support/broken_plate.h"
 #include "support/contacts.h"
 #include "support/failing_solver.h"
+#include "support/forceps.h"
 #include "support/sanitized.h"
 #include "support/tool.h"
 #include "support/turning.h"
@@ -105,6 +106,25 @@ Case guidedBlade() {
   return made;
 }
 
+/// Forceps that close on a slab, carry it up faster than they can hold it, and open.
+Case graspedSlab(Method method) {
+  Case made{slabAndForceps(0.05, true)};
+  made.scene.solver.method = method;
+  made.descriptions.tools = {forcepsUrdf({})};
+  made.command = [](DeformableBody* body, std::int64_t step) {
+    if (step == 0) {
+      body->placeTool(AT_EDGE);
+      body->guideJaw(FORCEPS_OPEN);
+    }
+    if (step == 1) body->guideJaw(0.03);
+    if (step >= 5)
+      body->guideTool(
+          {{AT_EDGE.position - Vec3(5e-5 * std::pow(static_cast<double>(step) - 5, 2), 0, 0), AT_EDGE.orientation}});
+    if (step == 40) body->guideJaw(FORCEPS_OPEN);
+  };
+  return made;
+}
+
 const std::map<std::string, std::function<Case()>> CASES = {
     {"BarDirect", [] { return cutBar([](Scene*) {}); }},
     {"BarIterative", [] { return cutBar([](Scene* scene) { scene->solver.method = Method::ITERATIVE; }); }},
@@ -137,6 +157,8 @@ const std::map<std::string, std::function<Case()>> CASES = {
     {"BlockIterative", [] { return rubbingBlock(Method::ITERATIVE); }},
     {"BladeGuided", guidedBlade},
     {"BarLed", ledBar},
+    {"SlabGraspedDirect", [] { return graspedSlab(Method::DIRECT); }},
+    {"SlabGraspedIterative", [] { return graspedSlab(Method::ITERATIVE); }},
 };
 
 class SavedBody : public ::testing::TestWithParam<std::pair<const std::string, std::function<Case()>>> {};

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "support/allocation_count.h"
+#include "support/forceps.h"
 #include "support/scenes.h"
 #include "support/tool.h"
 
@@ -73,6 +74,30 @@ TEST_F(StepAllocations, AreNoneWithoutACut) {
   with_tool.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.1)})};
   with_tool.tools[0].poses = {{0, {Vec3(0, 0, 50), Eigen::Quaterniond::Identity()}}};
   EXPECT_EQ(allocationsOfUncutSteps(with_tool), 0);
+}
+
+// Held still, and pulled so that it slips.
+TEST_F(StepAllocations, AreNoneWhileAGrasperHolds) {
+  for (const double speed : {0.0, 0.05}) {
+    Scene scene = slabAndForceps(0.05, false);
+    scene.solver.method = Method::ITERATIVE;
+    scene.gravity.setZero();
+    scene.boundary = {SLAB_END};
+    scene.tools[0].poses = {{0, AT_EDGE}, {1, facingX(AT_EDGE.position.x() - speed)}};
+    scene.tools[0].jaw->angles = {{0, FORCEPS_OPEN}, {0.01, 0.03}};
+    DeformableBody body(scene, loadMesh(scene), {{forcepsUrdf({})}, ""});
+    run(&body, 8 * FIRST_STEPS);
+    double least = 1, most = 0;
+    const auto steps = [&] {
+      for (int k = 0; k < WATCHED_STEPS; ++k) {
+        const ToolReport report = body.step().tools[0];
+        least = std::min(least, report.force.norm() / report.gripped);
+        most = std::max(most, report.force.norm() / report.gripped);
+      }
+    };
+    EXPECT_EQ(allocationsOf(steps), 0) << speed;
+    EXPECT_TRUE(speed > 0 ? least > 0.9 : most < 1e-6) << least << " " << most;
+  }
 }
 
 TEST_F(StepAllocations, KeepTheirBoundInTheStepOfACut) {

@@ -63,8 +63,8 @@ inline std::set<int> afterAnEighth() {
 
 /// A body whose solver fails on demand.
 struct Fallible {
-  explicit Fallible(const Scene& scene)
-      : body(scene, loadMesh(scene), {}, [this](const SolverSettings& settings, bool warping) {
+  explicit Fallible(const Scene& scene, const Descriptions& descriptions = {})
+      : body(scene, loadMesh(scene), descriptions, [this](const SolverSettings& settings, bool warping) {
           return std::make_unique<FailingSolver>(makeLinearSolver(settings, warping), &failures);
         }) {}
 

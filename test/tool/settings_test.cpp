@@ -34,6 +34,20 @@ TEST(ToolSettings, ArriveFromTheirSection) {
   EXPECT_FALSE(bladeOf(&tool).progressive);
 }
 
+TEST(ToolSettings, OfAGrasperSayWhenAndHowItHolds) {
+  const std::vector<ToolSettings> tools = parseTools(test::section(
+      "tools",
+      "{f: {type: grasper, description: a.urdf, link: palm, joint: jaw, closed: -0.1, grip: 5, jaw: [[0, 1], [2, "
+      "-0.2]]}}"));
+  ASSERT_EQ(tools.size(), 1u);
+  const auto& grasper = std::get<GrasperSettings>(tools[0].kind);
+  EXPECT_EQ(grasper.closed, -0.1);
+  EXPECT_EQ(grasper.grip, 5);
+  ASSERT_TRUE(tools[0].jaw);
+  EXPECT_EQ(tools[0].jaw->joint, "jaw");
+  EXPECT_EQ(tools[0].jaw->angles.size(), 2u);
+}
+
 TEST(ToolSettings, BadValuesAreRefused) {
   const auto knife = [](const std::string& entry) {
     return "{knife: {type: blade, edge: [[0, 0, 0], [0, 0, 1]], " + entry + "}}";
@@ -42,13 +56,18 @@ TEST(ToolSettings, BadValuesAreRefused) {
       parseTools, "tools",
       {{"[]", ": a list of 0 (allowed: a map of 1 to 100 names"},
        {"{}", ": a map (allowed: a map of 1 to 100 names"},
-       {"{edge: [[0, 0, 0], [0, 0, 1]]}", ".edge: the key type is missing (allowed: blade, probe"},
+       {"{edge: [[0, 0, 0], [0, 0, 1]]}", ".edge: the key type is missing (allowed: blade, grasper, probe"},
        {"{knife: {edge: [[0, 0, 0], [0, 0, 1]]}}", ".knife: the key type is missing"},
        {"{knife: {type: sword}}", ".knife.type: 'sword' (allowed: blade, "},
        {"{left-hand: {type: blade, edge: [[0, 0, 0], [0, 0, 1]]}}", ".left-hand: the name of a tool"},
        {"{1st: {type: blade, edge: [[0, 0, 0], [0, 0, 1]]}}", ".1st: the name of a tool"},
        {"{knife: {type: blade, link: blade, poses: []}}", ".knife: needs an edge"},
        {"{knife: {type: blade, description: a.urdf}}", ".knife: the key link is missing"},
+       {"{f: {type: grasper, description: a.urdf, link: a, joint: j, grip: 1}}", ".f: the key closed is missing"},
+       {"{f: {type: grasper, description: a.urdf, link: a, joint: j, closed: 0}}", ".f: the key grip is missing"},
+       {"{f: {type: grasper, description: a.urdf, link: a, joint: j, closed: 0, grip: 0}}", ".f.grip"},
+       {"{f: {type: grasper, description: a.urdf, link: a, joint: j, closed: .nan, grip: 1}}", ".f.closed"},
+       {"{f: {type: grasper, description: a.urdf, link: a, closed: 0, grip: 1}}", ".f: the key joint is missing"},
        {"{hook: {type: probe, link: a}}", ".hook: the key description is missing"},
        {"{hook: {type: probe, description: a.urdf, link: a, edge: []}}", ".hook.edge: unknown key"},
        {"{knife: {type: blade, edge: [[0, 0, 0], [0, 0, 0]]}}", ".knife.edge: both ends are the same point"},

@@ -45,7 +45,7 @@ struct DescribedJoint {
   Pose origin;                ///< of the child's frame in the parent's, the joint at 0
   Vec3 axis = Vec3::UnitX();  ///< in the child's frame, of any length
   std::optional<Mimic> mimic;
-  std::optional<std::array<double, 2>> limits;  ///< of its coordinate [rad or m]
+  std::optional<std::array<double, 2>> limits;  ///< of its coordinate [rad or m], where there is room between them
 };
 
 /// A robot, tool or room, read from a URDF once for all that use it.

@@ -8,6 +8,7 @@
 #include "incision/rigid/timed_angle.h"
 #include "incision/rigid/timed_pose.h"
 #include "incision/tool/blade/settings.h"
+#include "incision/tool/grasper/settings.h"
 #include "incision/tool/probe/settings.h"
 
 namespace incision {
@@ -22,7 +23,7 @@ struct JawSettings {
 };
 
 /// What one kind of tool has and others have not; the alternatives stand in the order of toolKinds().
-using KindSettings = std::variant<BladeSettings, ProbeSettings>;
+using KindSettings = std::variant<BladeSettings, GrasperSettings, ProbeSettings>;
 
 struct ToolSettings {
   std::string name = "tool";          ///< of letters, digits and _; no other tool of the scene has it

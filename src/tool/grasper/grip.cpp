@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incision/cut/point.h"
-
 namespace incision {
 namespace {
 
@@ -44,16 +42,20 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
   }
   const Span<Spring> own(springs->data() + first, springs->data() + springs->size());
   pulls_.resize(memory_.points.size());
+  slipping_.reserve(pulls_.size());
+  slipped_to_.reserve(pulls_.size());
+  found_.reserve(pulls_.size());
   findStiffness(start, own);
-  const Pose from = tool_->motion.at(start.span.from), to = tool_->motion.at(start.span.to);
+  const Pose from = tool_->groups[0].at(start.span.from), to = tool_->groups[0].at(start.span.to);
   for (int i = 0; i < own.size(); ++i) {
     const GripPoint& grip = memory_.points[static_cast<std::size_t>(i)];
     Pull& pull = pulls_[static_cast<std::size_t>(i)];
     // A spring that gets stiffer keeps its energy.
     const double kept = grip.stiffness > 0 ? std::sqrt(std::min(1.0, grip.stiffness / pull.stiffness)) : 1;
-    const Vec3 anchor = composed(from, {grip.anchor, {}}).position;
-    pull.slip = kept * (anchor - weightedSum(own[i], start.motion.x));
-    pull.drift = composed(to, {grip.anchor, {}}).position - anchor;
+    const Vec3 slip = composed(from, {grip.end, {}}).position - weightedSum(own[i], start.motion.x);
+    pull.slip = kept * slip;
+    pull.end = grip.end - from.orientation.conjugate() * (slip - pull.slip);
+    pull.drift = composed(to, {pull.end, {}}).position - composed(from, {pull.end, {}}).position;
   }
   return true;
 }
@@ -104,15 +106,17 @@ void Grip::update(Span<const Vec3> moved, Span<Spring> springs) {
 }
 
 void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) {
-  tool_->feel(span, felt);
-  const Pose link = tool_->motion.at(span.to);
+  tool_->feel(0, span, felt);
+  const Pose link = tool_->groups[0].at(span.to);
   slipping_.clear();
   slipped_to_.clear();
   for (std::size_t i = 0; i < memory_.points.size(); ++i) {
     GripPoint& grip = memory_.points[i];
     const Trial trial = tryAt(pulls_[i], moved[static_cast<int>(i)]);
     grip.stiffness = pulls_[i].stiffness;
+    grip.end = pulls_[i].end;
     if (!trial.slips) continue;
+    grip.end = grip.anchor;
     slipping_.push_back(i);
     slipped_to_.push_back(composed(link, {grip.anchor, {}}).position - trial.secant / grip.stiffness * trial.slip);
   }

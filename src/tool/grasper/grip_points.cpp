@@ -20,13 +20,15 @@ struct PlacedMouth {
   Eigen::AlignedBox3d box;  // round them
 };
 
+GripPoint heldAt(const Vec3& anchor, const MaterialPoint& held) { return {anchor, held, anchor}; }
+
 /// What the mouth's points meet.
 std::vector<GripPoint> met(const PlacedMouth& mouth, const std::vector<Vec3>& x, const CutMesh& mesh) {
   std::vector<std::optional<MaterialPoint>> found;
   findMaterial(mouth.points, x, mesh, &found);
   std::vector<GripPoint> points;
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i]) points.push_back({mouth.room.points()[i], *found[i]});
+    if (found[i]) points.push_back(heldAt(mouth.room.points()[i], *found[i]));
   return points;
 }
 
@@ -45,7 +47,7 @@ std::vector<GripPoint> ofSmallPieces(const std::vector<GripPoint>& met, const Pl
     if (is_met[pieceOf(p)] || !boxOf(part, x).intersects(mouth.box)) continue;
     const Barycentric middle = mesh.centroid(p);
     const Vec3 anchor = composed(mouth.to_link, {at(part, middle, x), {}}).position;
-    if (mouth.room.isBetween(anchor)) points.push_back({anchor, {part.element, middle, p}});
+    if (mouth.room.isBetween(anchor)) points.push_back(heldAt(anchor, {part.element, middle, p}));
   }
   return points;
 }

@@ -52,8 +52,9 @@ class Grip : public WithMemory<Coupler, GripMemory> {
  private:
   /// A point in this step.
   struct Pull {
-    Vec3 slip;         // how far the anchor is before the material when the step starts [m]
-    Vec3 drift;        // of the anchor in the step [m]
+    Vec3 end;          // of the spring in the frame of the tool's link [m]
+    Vec3 slip;         // how far the end is before the material when the step starts [m]
+    Vec3 drift;        // of the end in the step [m]
     double stiffness;  // [N/m]
   };
   /// A point's state at a trial.

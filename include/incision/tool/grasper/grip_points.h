@@ -11,14 +11,15 @@ namespace incision {
 /// A place in the mouth of jaws where they hold what is there.
 struct GripPoint {
   Vec3 anchor = Vec3::Zero();  ///< in the frame of the tool's link [m]
-  MaterialPoint held;          ///< what is tied to it
-  double stiffness = 0;        ///< of the spring in the last step [N/m]; 0: there was none
+  MaterialPoint held;          ///< what is tied to it,
+  Vec3 end = Vec3::Zero();  ///< by a spring that ends here, which is beside the anchor where it had to lose force [m]
+  double stiffness = 0;     ///< of the spring in the last step [N/m]; 0: there was none
 };
 
 template <class Archive>
 void serialize(Archive& archive, GripPoint& grip) {
-  auto& [anchor, held, stiffness] = grip;
-  archive(anchor, held, stiffness);
+  auto& [anchor, held, end, stiffness] = grip;
+  archive(anchor, held, end, stiffness);
 }
 
 /// What lies in the mouth of jaws whose tool stands at `link`, the copies being at `x` [m], each point held where it
