@@ -3,6 +3,7 @@
 #include "incision/tool/blade/blade.h"
 #include "incision/tool/grasper/grasper.h"
 #include "incision/tool/probe/probe.h"
+#include "incision/tool/scissors/scissors.h"
 
 namespace incision {
 namespace {
@@ -20,8 +21,9 @@ const std::vector<ToolKind>& toolKinds() {
       {"blade", {"edge", "cutting_force", "progressive"}, false, parsed<parseBlade>, makeBlade},
       {"grasper", {"closed", "grip"}, true, parsed<parseGrasper>, makeGrasper},
       {"probe", {}, false, parsed<parseProbe>, makeProbe},
+      {"scissors", {"cutting_force", "progressive"}, true, parsed<parseScissors>, makeScissors},
   };
-  static_assert(std::variant_size_v<KindSettings> == 3, "each alternative has a line above");
+  static_assert(std::variant_size_v<KindSettings> == 4, "each alternative has a line above");
   return kinds;
 }
 

@@ -10,6 +10,7 @@
 #include "incision/tool/blade/settings.h"
 #include "incision/tool/grasper/settings.h"
 #include "incision/tool/probe/settings.h"
+#include "incision/tool/scissors/settings.h"
 
 namespace incision {
 
@@ -23,7 +24,7 @@ struct JawSettings {
 };
 
 /// What one kind of tool has and others have not; the alternatives stand in the order of toolKinds().
-using KindSettings = std::variant<BladeSettings, GrasperSettings, ProbeSettings>;
+using KindSettings = std::variant<BladeSettings, GrasperSettings, ProbeSettings, ScissorsSettings>;
 
 struct ToolSettings {
   std::string name = "tool";          ///< of letters, digits and _; no other tool of the scene has it

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace incision {
+
+class YamlMap;
+
+/// What scissors have beside what all tools have.
+struct ScissorsSettings {
+  /// [N/m] of each edge in the tissue: the fracture energy [J/m²] of what they cut; regions may differ.
+  double cutting_force = 0;
+  bool progressive = true;  ///< an element's crack opens as an edge sweeps it; false: elements are cut whole
+};
+
+/// Their keys in a tool's entry. Throws InputError.
+ScissorsSettings parseScissors(const YamlMap& tool);
+
+}  // namespace incision

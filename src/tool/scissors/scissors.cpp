@@ -1,0 +1,69 @@
+#include "incision/tool/scissors/scissors.h"
+
+#include <utility>
+
+namespace incision {
+namespace {
+
+std::vector<EdgeOfTool> edgesOf(const ToolSettings& settings, const ScissorEdges& edges) {
+  const double cutting_force = std::get<ScissorsSettings>(settings.kind).cutting_force;
+  std::vector<EdgeOfTool> of_tool;
+  for (int i = 0; i < 2; ++i)
+    of_tool.push_back({edges.edges[i].group,
+                       edges.edges[i].edge,
+                       {edges.thickness[i], edges.thickness[i]},
+                       cutting_force,
+                       settings.friction});
+  return of_tool;
+}
+
+}  // namespace
+
+Scissors::Scissors(const ToolSettings& settings, JawLinks links, const ScissorEdges& edges,
+                   const ToolSurroundings& surroundings, Touching touching)
+    : JawedTool(settings, std::move(links), std::move(touching)),
+      closed_(this->links().limits() ? (*this->links().limits())[0] : 0),
+      edges_(settings.name, edgesOf(settings, edges), std::get<ScissorsSettings>(settings.kind).progressive, &in_step_,
+             &surroundings.ties, surroundings.materials, surroundings.mesh) {}
+
+ToolForm Scissors::form() const {
+  ToolForm form = JawedTool::form();
+  for (const EdgeOfTool& edge : edges_.edges()) form.edges.push_back({edge.group, edge.edge});
+  return form;
+}
+
+std::vector<Coupler*> Scissors::couplers() {
+  std::vector<Coupler*> list = Tool::couplers();
+  edges_.addCouplers(&list);
+  return list;
+}
+
+void Scissors::recall(const std::any& kept) {
+  const auto& memory = std::any_cast<const ScissorsMemory&>(kept);
+  tool_ = memory.tool;
+  edges_.recall(memory.edges);
+}
+
+ToolReport Scissors::report() const {
+  ToolReport report = JawedTool::report();
+  if (pose()) edges_.addTo(&report);
+  return report;
+}
+
+void Scissors::start(const std::vector<Vec3>& x) {
+  const bool opens = in_step_.jaw_to > in_step_.jaw_from, is_closed = in_step_.jaw_from <= closed_;
+  if (opens || is_closed) in_step_.active = false;
+  if (in_step_.active) edges_.start(x);
+}
+
+std::unique_ptr<Tool> makeScissors(const ToolSettings& settings, const Description& description,
+                                   const ToolSurroundings& surroundings) {
+  JawLinks links = jawLinksOf(settings, description);
+  const ScissorEdges edges = scissorEdges(links, jointInMessage(description.name, settings.jaw->joint));
+  std::vector<std::optional<Edge>> of_groups(static_cast<std::size_t>(links.groups()));
+  for (const ToolForm::GroupEdge& edge : edges.edges) of_groups[static_cast<std::size_t>(edge.group)] = edge.edge;
+  Touching touching = jawTouching(settings, links, of_groups, surroundings.skin);
+  return std::make_unique<Scissors>(settings, std::move(links), edges, surroundings, std::move(touching));
+}
+
+}  // namespace incision
