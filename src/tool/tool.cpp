@@ -84,9 +84,9 @@ void Tool::startStep(double time, double time_step, const std::vector<Vec3>& x) 
 
 /// What is not in place turns its joint at once.
 void Tool::startJaw(double time, double time_step) {
-  in_step_.jaw_to = tool_.jaw_to.value_or(scriptedJaw(time + time_step).value_or(tool_.jaw));
-  in_step_.jaw_from = tool_.jaw;
-  if (!tool_.pose) in_step_.jaw_from = scriptedJaw(time).value_or(in_step_.in_place ? tool_.jaw : in_step_.jaw_to);
+  in_step_.jaw_from = tool_.pose ? tool_.jaw : scriptedJaw(time).value_or(tool_.jaw);
+  in_step_.jaw_to = tool_.jaw_to.value_or(scriptedJaw(time + time_step).value_or(in_step_.jaw_from));
+  if (!in_step_.in_place) in_step_.jaw_from = in_step_.jaw_to;
 }
 
 /// The joint turns evenly while the link goes from here along its way.

@@ -39,14 +39,14 @@ TEST(TimedPoses, OfAFileWithTimesOfTheClockCountFromTheFirst) {
 
 TEST(TimedPoses, BadFilesAreRefusedWithTheLine) {
   for (const auto& [text, reason] : std::vector<std::pair<std::string, std::string>>{
-           {"", ":1: no poses"},
-           {"t,x\n", ":1: no poses"},
+           {"", ":1: nothing"},
+           {"t,x\n", ":1: nothing"},
            {"0,1,2,3,0,0,0,1\n1,1,2,3,0,0,0\n", ":2: qw is missing"},
            {"0,1,2,3,0,0,0,1,5\n", ":1: the line should have ended"},
            {"0,1,2,x,0,0,0,1\n", ":1: z: \"x\" is not a number"},
            {"0,1,2,3,0,0,0,2\n", ":1: a quaternion of length 2"},
            {"-1,1,2,3,0,0,0,1\n", ":1: t: -1"},
-           {"1,1,2,3,0,0,0,1\n1,1,2,3,0,0,0,1\n", ":2: not later than the pose before it"}}) {
+           {"1,1,2,3,0,0,0,1\n1,1,2,3,0,0,0,1\n", ":2: not later than the one before it"}}) {
     const test::TestFile file("poses.csv", text);
     try {
       readPoses(file.path());
@@ -75,7 +75,7 @@ TEST(TimedPoses, BadValuesAreRefused) {
                        {"[[-1, 0, 0, 0, 0, 0, 0, 1]]", ".0.0"},
                        {"[[0, 0, 0, 0, 0, 0, 0, 0]]", ".0: a quaternion of length 0"},
                        {"[[0, 0, 0, 0, 0, 0, 0, 1.02]]", ".0: a quaternion of length 1.02"},
-                       {"[[0, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]", ".1: not later than the pose before"}});
+                       {"[[0, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1]]", ".1: not later than the one before"}});
 }
 
 }  // namespace

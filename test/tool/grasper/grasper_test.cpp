@@ -205,6 +205,16 @@ TEST(Grasper, GripsOnlyAsItsJawsClose) {
   EXPECT_LT(hand.energy(), 1e-20);
 }
 
+TEST(Grasper, StaysAsFarOpenAsTheSceneLeavesIt) {
+  Scene scene = slabAndForceps(2, false);
+  scene.tools[0].poses = {{0, AT_EDGE}};
+  scene.tools[0].jaw->angles = {{0, FORCEPS_OPEN}};
+  Hand hand(scene);
+  hand.rest(3);
+  EXPECT_EQ(hand.report().jaw, FORCEPS_OPEN);
+  EXPECT_EQ(hand.report().gripped, 0);
+}
+
 TEST(Grasper, ClosesOnNothingAndOnItself) {
   for (const bool touching : {true, false}) {
     Scene scene = slabAndForceps(2, touching);
