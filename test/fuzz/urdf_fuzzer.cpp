@@ -1,5 +1,5 @@
-// Whatever a description is, reading it gives an edge with two finite ends or an InputError, and obstacles that are
-// solid and somewhere or an InputError.
+// Whatever a description is, reading it gives an edge with two finite ends, jaws and scissors that are somewhere, and
+// obstacles that are solid and somewhere, or an InputError.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -8,6 +8,7 @@
 #include "incision/base/input_error.h"
 #include "incision/contact/obstacles.h"
 #include "incision/tool/blade/blade_edge.h"
+#include "incision/tool/scissors/scissor_edges.h"
 
 namespace {
 
@@ -22,6 +23,17 @@ void readTool(const std::string& urdf) {
   tool.link = "blade";
   const Edge edge = bladeEdge(tool, parseDescription(urdf, "tool.urdf"));
   require(edge[0].allFinite() && edge[1].allFinite() && edge[0] != edge[1]);
+}
+
+// The joint of the description that comes first, and its parent as the tool's link.
+void readJaws(const std::string& urdf) {
+  const Description description = parseDescription(urdf, "tool.urdf");
+  if (description.joints.empty()) return;
+  const DescribedJoint& joint = description.joints.front();
+  const JawLinks links(description, description.links[static_cast<std::size_t>(joint.parent)].name, joint.name);
+  for (int g = 0; g < links.groups(); ++g) require(links.pose(g, 0.1).position.allFinite());
+  for (const ToolForm::GroupEdge& edge : scissorEdges(links, "tool.urdf").edges)
+    require(edge.edge[0].allFinite() && edge.edge[1].allFinite() && edge.edge[0] != edge.edge[1]);
 }
 
 bool hasSize(const Solid& solid) { return solid.thickness() > 0 && std::isfinite(solid.reach()); }
@@ -43,7 +55,7 @@ void readObstacles(const std::string& urdf) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string urdf(reinterpret_cast<const char*>(data), size);
-  for (const auto read : {readTool, readObstacles}) {
+  for (const auto read : {readTool, readJaws, readObstacles}) {
     try {
       read(urdf);
     } catch (const InputError&) {

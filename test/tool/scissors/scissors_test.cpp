@@ -166,6 +166,30 @@ TEST(Scissors, OpeningCutNothing) {
   EXPECT_EQ(cutting.body.counts().parts, parts);
 }
 
+// They lie closed in a slit; as they open, its faces are pressed apart and press them together, and nothing is cut.
+TEST(Scissors, OpeningSpreadTissue) {
+  Scene scene = strip(1e4);
+  scene.contact.emplace();
+  scene.contact->friction = 0;
+  scene.boundary = {{Place(Vec3(-1, -1, -1), Vec3(1, 1, -DEPTH / 2 + 1e-6)), Vec3::Zero()},
+                    {Place(Vec3(-1, -1, DEPTH / 2 - 1e-6), Vec3(1, 1, 1)), Vec3::Zero()}};
+  scene.cuts = {{0, {"slit", Vec3::Zero(), Vec3(0, 0, 1), Vec3::Zero(), 0, 0}}};
+  Cutting cutting(scene);
+  cutting.body.guideJaw(0);
+  for (int k = 0; k < 20; ++k) cutting.body.step();
+  const BodyCounts before = cutting.body.counts();
+  const auto opening = [&] { return cutting.body.motion().max_displacement; };
+  const double at_first = opening();
+  StepResult last;
+  for (int k = 1; k <= 20; ++k) {
+    cutting.body.guideJaw(0.002 * k);
+    last = cutting.body.step();
+  }
+  EXPECT_EQ(cutting.body.counts().parts, before.parts);
+  EXPECT_GT(opening(), at_first + 0.5 * 0.04 * NEAR);
+  EXPECT_LT(last.tools[0].jaw_torque, 0);
+}
+
 TEST(Scissors, SwitchedOffCutNothing) {
   Cutting cutting(strip(1e6));
   cutting.body.activateTool(false);
