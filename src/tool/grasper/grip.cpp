@@ -52,10 +52,10 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
     Pull& pull = pulls_[static_cast<std::size_t>(i)];
     // A spring that gets stiffer keeps its energy.
     const double kept = grip.stiffness > 0 ? std::sqrt(std::min(1.0, grip.stiffness / pull.stiffness)) : 1;
-    const Vec3 slip = composed(from, {grip.end, {}}).position - weightedSum(own[i], start.motion.x);
+    const Vec3 slip = carried(grip.end, from) - weightedSum(own[i], start.motion.x);
     pull.slip = kept * slip;
     pull.end = grip.end - from.orientation.conjugate() * (slip - pull.slip);
-    pull.drift = composed(to, {pull.end, {}}).position - composed(from, {pull.end, {}}).position;
+    pull.drift = carried(pull.end, to) - carried(pull.end, from);
   }
   return true;
 }
@@ -118,7 +118,7 @@ void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& en
     if (!trial.slips) continue;
     grip.end = grip.anchor;
     slipping_.push_back(i);
-    slipped_to_.push_back(composed(link, {grip.anchor, {}}).position - trial.secant / grip.stiffness * trial.slip);
+    slipped_to_.push_back(carried(grip.anchor, link) - trial.secant / grip.stiffness * trial.slip);
   }
   if (!slipping_.empty()) letSlip(end.x);
 }
