@@ -121,7 +121,9 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
     station->start = StationMemory();
     return;
   }
-  const Found& found = ahead ? *ahead : *here;
+  // Before what another edge has parted already there is still what it is leaving.
+  const bool leaves = here && (!ahead || ahead->tissue.count == 0);
+  const Found& found = leaves ? *here : *ahead;
   station->tissue = found.tissue;
   station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * station->front;
   station->most = cutting_forces_[materials_.regions().of(found.element)] * station->front;
