@@ -12,7 +12,7 @@ STAGES = ['base', 'mesh', 'cut', 'surface', 'rigid', 'fem', 'solver', 'contact',
           'run', 'pace', 'ros']
 
 # Libraries whose headers lie in folders and that the core may use. No ROS among them.
-CORE_FOLDERS = {'Eigen', 'cereal', 'console_bridge', 'nlohmann', 'sys', 'urdf_model', 'urdf_parser', 'yaml-cpp'}
+CORE_FOLDERS = {'Eigen', 'assimp', 'cereal', 'console_bridge', 'nlohmann', 'sys', 'urdf_model', 'urdf_parser', 'yaml-cpp'}
 
 TOP_LEVEL = {'include', 'src', 'msg', 'config', 'launch', 'test', 'README.md', 'LICENSE', 'CMakeLists.txt',
              'package.xml', 'build'}

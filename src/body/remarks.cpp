@@ -58,4 +58,11 @@ std::vector<std::string> remarksOn(const Scene& scene, const CutMesh& mesh) {
   return remarks;
 }
 
+std::vector<std::string> remarksOnShapes(const DeformableBody& body) {
+  std::vector<std::string> remarks = remarksOn(body.obstacles());
+  for (std::size_t tool = 0; tool < body.tools(); ++tool)
+    for (const std::string& remark : remarksOn(body.toolForm(tool).shapes)) remarks.push_back(remark);
+  return remarks;
+}
+
 }  // namespace incision

@@ -1,6 +1,7 @@
 #include "incision/contact/obstacles.h"
 
 #include "incision/base/input_error.h"
+#include "incision/base/printable.h"
 #include "incision/rigid/description.h"
 #include "incision/rigid/half_space.h"
 
@@ -51,6 +52,18 @@ Obstacles loadLink(const Description& description, const std::string& link) {
   addLink(description.link(link), linkInMessage(description.name, link), &obstacles);
   if (!obstacles.shapes.empty()) checkCount(obstacles.shapes.size(), description.name);
   return obstacles;
+}
+
+std::vector<std::string> remarksOn(const Obstacles& obstacles) {
+  std::vector<std::string> remarks;
+  for (const Obstacle& shape : obstacles.shapes) {
+    const std::string remark = shape.solid->remark();
+    if (remark.empty()) continue;
+    const auto link = static_cast<std::size_t>(shape.link);  // the ground's is beyond all
+    const std::string name = link < obstacles.links.size() ? obstacles.links[link].name : "";
+    remarks.push_back((name.empty() ? "" : "link '" + printable(name) + "': ") + remark);
+  }
+  return remarks;
 }
 
 }  // namespace incision

@@ -1,5 +1,6 @@
 #include "incision/contact/solid_contacts.h"
 
+#include <cmath>
 #include <optional>
 
 namespace incision {
@@ -83,14 +84,18 @@ Vec3 cutNormalBeside(const ContactSurface& surface, const std::vector<Vec3>& x, 
   return normal;
 }
 
-/// From the nearest point, but on the side on which the point was, if it was; also where it has come out on the far
-/// side of something thin.
-SolidDistance distanceFrom(const Vec3* known_side, const Solid& solid, const Vec3& point) {
+/// From the nearest point, but on the side on which the point was at its touch, if it was; also where it has come out
+/// on the far side of something thin. A solid that is not convex may have a face there that looks the other way and
+/// that the point has just come upon: only what is behind the plane that it touched has gone through.
+SolidDistance distanceFrom(const Touch* touch, const Solid& solid, const Vec3& point) {
   const SolidDistance nearest = solid.distanceTo(point);
-  if (!known_side) return nearest;
-  const double facing = nearest.normal.dot(*known_side);
+  if (!touch) return nearest;
+  const Vec3& known_side = touch->normal_in_solid;
+  const double facing = nearest.normal.dot(known_side);
   if (facing > 0 || (nearest.distance >= 0 && facing > -LEAST_OPPOSITION)) return nearest;
-  return {known_side->dot(point) - solid.reachAlong(*known_side), *known_side};
+  if (solid.isConvex()) return {known_side.dot(point) - solid.reachAlong(known_side), known_side};
+  const double gap = touch->gap - touch->ignored;
+  return gap < 0 ? SolidDistance{gap, known_side} : nearest;
 }
 
 bool givesWay(const MovingShape& shape, const Vec3& foot) {
@@ -124,17 +129,20 @@ std::optional<Vec3> materialAt(const ContactSurface& surface, const std::vector<
 /// that cuts it, so that counts also a little beside the shape; but what would have to cross more than the blade is no
 /// face of the slit.
 std::optional<SolidDistance> keepOff(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex,
-                                     const MovingShape& shape, const Vec3& point, const Vec3* known_side) {
+                                     const MovingShape& shape, const Vec3& point, const Touch* touch) {
   const SolidDistance nearest = shape.solid->distanceTo(point);
   const double aside = DEEPEST_BEGIN * surface.size[vertex], width = shape.solid->thickness();
   if (nearest.distance > aside) return nearest;
   if (surface.unshared[vertex] < LEAST_UNSHARED) return std::nullopt;
+  if (touch && !shape.solid->isConvex()) return distanceFrom(touch, *shape.solid, point);
+  const Vec3* known_side = touch ? &touch->normal_in_solid : nullptr;
   const std::optional<Vec3> n = materialAt(surface, x, vertex, shape, point, nearest, aside, known_side);
   if (!n) return std::nullopt;
   if (n->isZero(0)) return nearest;
   const double facing = -nearest.normal.dot(*n);
   if (facing > (known_side ? 0 : LEAST_OPPOSITION)) return nearest;
   const SolidDistance across = shape.solid->distanceAgainst(point, *n);
+  if (!std::isfinite(across.distance)) return nearest;
   if (nearest.distance < 0) return known_side || across.distance > -width - aside ? across : nearest;
   const double off = shape.solid->distanceTo(point - across.distance * across.normal).distance;
   return facing < -LEAST_OPPOSITION && off < ROUNDING * width ? across : nearest;
@@ -164,8 +172,13 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
   return candidate;
 }
 
+/// How far from a shape a vertex may be that meets it in the step [m].
+double roomFor(const ContactSkin& skin, int vertex, const MovingShape& shape) {
+  return shape.moved + MARGIN * skin.surface().size[vertex] + skin.ahead()[vertex].norm();
+}
+
 bool mayMeet(const ContactSkin& skin, int vertex, const MovingShape& shape) {
-  const double room = shape.reach + shape.moved + MARGIN * skin.surface().size[vertex] + skin.ahead()[vertex].norm();
+  const double room = shape.reach + roomFor(skin, vertex, shape);
   return (skin.x()[vertex] - shape.from.translation()).squaredNorm() <= room * room && skin.surface().area[vertex] > 0;
 }
 
@@ -184,10 +197,11 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
       at.partner = static_cast<int>(o);
       while (touch != touches.end() && comesBefore(*touch, at)) ++touch;
       const bool touched = touch != touches.end() && !comesBefore(at, *touch);
-      const Vec3* known_side = touched ? &touch->normal_in_solid : nullptr;
+      if (!touched && shape.solid->isClearOf(local, roomFor(skin, i, shape))) continue;
+      const Touch* before = touched ? &*touch : nullptr;
       const std::optional<SolidDistance> nearest = shape.in_slits
-                                                       ? keepOff(skin.surface(), skin.x(), i, shape, local, known_side)
-                                                       : distanceFrom(known_side, *shape.solid, local);
+                                                       ? keepOff(skin.surface(), skin.x(), i, shape, local, before)
+                                                       : distanceFrom(before, *shape.solid, local);
       if (!nearest) continue;
       std::optional<Candidate> candidate = candidateAt(skin, i, shape, local, *nearest);
       if (!candidate) continue;

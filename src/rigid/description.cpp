@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "incision/base/input_error.h"
 #include "incision/base/lists.h"
@@ -12,9 +13,11 @@
 #include "incision/base/suggestion.h"
 #include "incision/base/yaml_reader.h"
 #include "incision/rigid/box.h"
+#include "incision/rigid/capsule.h"
 #include "incision/rigid/cylinder.h"
 #include "incision/rigid/sphere.h"
 #include "limits.h"
+#include "mesh_files.h"
 #include "urdf_text.h"
 
 namespace incision {
@@ -96,49 +99,66 @@ Pose toPose(const urdf::Pose& pose) {
   return {toVec3(pose.position), Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
 }
 
+/// What a collision's solid is read from, beside its geometry.
+struct Source {
+  MeshFiles& meshes;
+  std::string where;        // the link
+  bool is_capsule = false;  // what urdfdom has for a cylinder
+};
+
 /// How a kind of solid is read.
 struct SolidKind {
   decltype(urdf::Geometry::type) type;
-  const char* name;
-  SolidPtr (*read)(const urdf::Geometry& geometry);
+  SolidPtr (*read)(const urdf::Geometry& geometry, const Source& source);
 };
 
 const SolidKind SOLID_KINDS[] = {
-    {urdf::Geometry::SPHERE, "sphere",
-     [](const urdf::Geometry& geometry) -> SolidPtr {
+    {urdf::Geometry::SPHERE,
+     [](const urdf::Geometry& geometry, const Source&) -> SolidPtr {
        return std::make_shared<Sphere>(static_cast<const urdf::Sphere&>(geometry).radius);
      }},
-    {urdf::Geometry::BOX, "box",
-     [](const urdf::Geometry& geometry) -> SolidPtr {
+    {urdf::Geometry::BOX,
+     [](const urdf::Geometry& geometry, const Source&) -> SolidPtr {
        return std::make_shared<Box>(toVec3(static_cast<const urdf::Box&>(geometry).dim));
      }},
-    {urdf::Geometry::CYLINDER, "cylinder",
-     [](const urdf::Geometry& geometry) -> SolidPtr {
+    {urdf::Geometry::CYLINDER,
+     [](const urdf::Geometry& geometry, const Source& source) -> SolidPtr {
        const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+       if (source.is_capsule) return std::make_shared<Capsule>(cylinder.radius, cylinder.length);
        return std::make_shared<Cylinder>(cylinder.radius, cylinder.length);
+     }},
+    {urdf::Geometry::MESH,
+     [](const urdf::Geometry& geometry, const Source& source) -> SolidPtr {
+       const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+       return source.meshes.at(mesh.filename, toVec3(mesh.scale), source.where);
      }},
 };
 
-std::string allowedKinds() {
-  std::string names;
-  for (const SolidKind& kind : SOLID_KINDS) names += (names.empty() ? "" : ", ") + std::string(kind.name);
-  return names;
-}
-
-DescribedSolid toSolid(const urdf::Collision& collision) {
+DescribedSolid toSolid(const urdf::Collision& collision, const Source& source) {
   DescribedSolid described;
   described.pose = toPose(collision.origin);
   for (const SolidKind& kind : SOLID_KINDS)
-    if (kind.type == collision.geometry->type) described.solid = kind.read(*collision.geometry);
+    if (kind.type == collision.geometry->type) described.solid = kind.read(*collision.geometry, source);
   return described;
 }
 
-DescribedLink toLink(const urdf::Link& link, const Pose& pose) {
+/// What all links are read from.
+struct Sources {
+  std::string name;
+  MeshFiles meshes;
+  std::set<CollisionPlace> capsules;
+};
+
+DescribedLink toLink(const urdf::Link& link, const Pose& pose, Sources* sources) {
   DescribedLink described;
   described.name = link.name;
   described.pose = pose;
-  for (const auto& collision : link.collision_array)
-    if (collision && collision->geometry) described.solids.push_back(toSolid(*collision));
+  Source source{sources->meshes, linkInMessage(sources->name, link.name)};
+  for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
+    const auto& collision = link.collision_array[i];
+    source.is_capsule = sources->capsules.count({link.name, i}) > 0;
+    if (collision && collision->geometry) described.solids.push_back(toSolid(*collision, source));
+  }
   return described;
 }
 
@@ -172,16 +192,16 @@ DescribedJoint toJoint(const urdf::Joint& joint, int parent, int child) {
 }
 
 // The links, parents before their children, and the joints by which they hang.
-Description describe(const urdf::ModelInterface& model, const std::string& name) {
+Description describe(const urdf::ModelInterface& model, Sources* sources) {
   std::vector<urdf::LinkConstSharedPtr> order = {model.getRoot()};
-  Description description{name, {toLink(*order[0], Pose())}};
+  Description description{sources->name, {toLink(*order[0], Pose(), sources)}};
   for (std::size_t i = 0; i < order.size(); ++i) {
     const urdf::LinkConstSharedPtr parent = order[i];  // order grows
     for (const auto& child : parent->child_links) {
       description.joints.push_back(
           toJoint(*child->parent_joint, static_cast<int>(i), static_cast<int>(description.links.size())));
       const Pose pose = composed(description.links[i].pose, description.joints.back().origin);
-      description.links.push_back(toLink(*child, pose));
+      description.links.push_back(toLink(*child, pose, sources));
       order.push_back(child);
     }
   }
@@ -219,11 +239,12 @@ int Description::jointIndex(const std::string& joint) const {
 
 Description parseDescription(const std::string& urdf, const std::string& name) {
   checkSize(urdf, name);
-  const UrdfText text(urdf + PADDING);
+  UrdfText text(urdf + PADDING);
   text.checkExpanded(name);
   text.checkTree(name);
-  const Parsed parsed = parseModel(urdf, name);
-  Description description = describe(*parsed.model, name);
+  Sources sources{name, MeshFiles(name), text.takeCapsules()};
+  const Parsed parsed = parseModel(sources.capsules.empty() ? urdf : text.print(), name);
+  Description description = describe(*parsed.model, &sources);
   std::map<std::string, std::size_t> collisions = text.countCollisions();
   for (DescribedLink& link : description.links)
     if (link.solids.size() < collisions[link.name]) link.fault = "a collision shape cannot be read" + parsed.complaint;
@@ -239,7 +260,6 @@ std::string jointInMessage(const std::string& name, const std::string& joint) {
 }
 
 void checkSolid(const DescribedSolid& described, const std::string& where) {
-  if (!described.solid) throw InputError(where + ": a mesh as collision shape (allowed: " + allowedKinds() + ")");
   described.solid->check(where);
   checkPose(described.pose, where + ": the collision");
 }

@@ -32,6 +32,13 @@ const TiXmlElement* after(const TiXmlElement* element) {
   return nullptr;
 }
 
+/// The capsule of a collision; null where it has another shape.
+TiXmlElement* capsuleOf(TiXmlElement* collision) {
+  TiXmlElement* geometry = collision->FirstChildElement("geometry");
+  TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
+  return shape && (shape->ValueStr() == "capsule" || shape->ValueStr() == "drake:capsule") ? shape : nullptr;
+}
+
 }  // namespace
 
 UrdfText::UrdfText(const std::string& urdf) {
@@ -77,6 +84,28 @@ std::map<std::string, std::size_t> UrdfText::countCollisions() const {
     for (const auto* c = link->FirstChildElement("collision"); c; c = c->NextSiblingElement("collision")) ++count;
   }
   return counts;
+}
+
+std::set<CollisionPlace> UrdfText::takeCapsules() {
+  std::set<CollisionPlace> places;
+  TiXmlElement* robot = document_.FirstChildElement("robot");
+  for (auto* link = robot ? robot->FirstChildElement("link") : nullptr; link; link = link->NextSiblingElement("link")) {
+    std::size_t index = 0;
+    for (auto* c = link->FirstChildElement("collision"); c; c = c->NextSiblingElement("collision"), ++index) {
+      TiXmlElement* capsule = capsuleOf(c);
+      if (!capsule || !link->Attribute("name")) continue;
+      capsule->SetValue("cylinder");
+      places.emplace(link->Attribute("name"), index);
+    }
+  }
+  return places;
+}
+
+std::string UrdfText::print() const {
+  TiXmlPrinter printer;
+  printer.SetStreamPrinting();
+  document_.Accept(&printer);
+  return printer.Str();
 }
 
 }  // namespace incision

@@ -4,9 +4,14 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace incision {
+
+/// A link's name, and which of its collisions.
+using CollisionPlace = std::pair<std::string, std::size_t>;
 
 /// What must be known of a URDF before urdfdom reads it, or what urdfdom keeps to itself. A text that is no XML holds
 /// nothing.
@@ -23,6 +28,13 @@ class UrdfText {
 
   /// How many collisions each link has: urdfdom leaves out those that it cannot read.
   std::map<std::string, std::size_t> countCollisions() const;
+
+  /// Makes cylinders of the capsules, which urdfdom does not know, and returns where they were: <capsule radius
+  /// length/>, also with the prefix of Drake.
+  std::set<CollisionPlace> takeCapsules();
+
+  /// The text as it is now.
+  std::string print() const;
 
  private:
   const TiXmlElement* first(const char* element) const;

@@ -1,5 +1,6 @@
 #include "incision/ros/markers.h"
 
+#include "capsule_points.h"
 #include "incision/ros/conversions.h"
 #include "plain_marker.h"
 
@@ -17,18 +18,42 @@ constexpr double EDGE_WIDTH = 0.001;
 /// Of the arrow of a force [m]: the diameters of its shaft and its head, and the head's length.
 const Vec3 ARROW_SIZE(0.003, 0.006, 0.01);
 
-int typeOf(Drawing::Primitive primitive) {
-  if (primitive == Drawing::Primitive::SPHERE) return Marker::SPHERE;
-  return primitive == Drawing::Primitive::CYLINDER ? Marker::CYLINDER : Marker::CUBE;
+/// Of a mesh in a file only the file is told: rviz reads it once, however often the marker comes.
+int typeOf(const Drawing& drawing) {
+  switch (drawing.primitive) {
+    case Drawing::Primitive::SPHERE:
+      return Marker::SPHERE;
+    case Drawing::Primitive::CYLINDER:
+      return Marker::CYLINDER;
+    case Drawing::Primitive::CAPSULE:
+      return Marker::TRIANGLE_LIST;
+    case Drawing::Primitive::MESH:
+      return drawing.file.empty() ? Marker::TRIANGLE_LIST : Marker::MESH_RESOURCE;
+    default:
+      return Marker::CUBE;
+  }
+}
+
+std::vector<geometry_msgs::Point> cornersOf(const TriangleMesh& mesh) {
+  std::vector<geometry_msgs::Point> corners;
+  for (const std::array<int, 3>& triangle : mesh.triangles)
+    for (const int v : triangle) corners.push_back(toPoint(mesh.vertices[v]));
+  return corners;
 }
 
 /// A solid that stands at `pose` in the marker's frame.
 Marker markerOf(const Solid& solid, const Pose& pose, const std::string& what, int id,
                 const std_msgs::ColorRGBA& colour, const std::string& frame, const ros::Time& stamp) {
   const Drawing drawing = solid.drawing();
-  Marker marker = plainMarker(typeOf(drawing.primitive), what, id, colour, frame, stamp);
+  Marker marker = plainMarker(typeOf(drawing), what, id, colour, frame, stamp);
   marker.pose = toPoseMessage(pose);
   marker.scale = toVector3(drawing.size);
+  marker.mesh_resource = drawing.file;
+  if (drawing.mesh) marker.points = cornersOf(*drawing.mesh);
+  if (drawing.primitive == Drawing::Primitive::CAPSULE) {
+    marker.points = capsulePoints(drawing.size);
+    marker.scale = toVector3(Vec3::Ones());
+  }
   if (drawing.primitive != Drawing::Primitive::HALF_SPACE) return marker;
   Pose below;
   below.position.z() = -GROUND_HEIGHT / 2;

@@ -65,6 +65,7 @@ IncisionNode::IncisionNode()
       clamps_(input_.frames(), warnOfLinks("the clamps"), settings_.scene.boundary, settings_.scene.solver.time_step),
       spinner_(1) {
   for (const std::string& remark : remarksOn(body_.scene(), body_.mesh())) ROS_WARN_STREAM(remark);
+  for (const std::string& remark : remarksOnShapes(body_)) ROS_WARN_STREAM(remark);
   for (std::size_t i = 0; i < settings_.scene.tools.size(); ++i)
     tools_.emplace_back(node_, i, settings_.scene, body_.toolForm(i), input_.frames());
   reporter_.setPieces(body_.counts().pieces);

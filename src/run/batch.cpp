@@ -159,6 +159,7 @@ BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& er
   TetMesh mesh = loadMesh(scene, &notes);
   DeformableBody body(scene, std::move(mesh), loadDescriptions(scene));
   for (const std::string& remark : remarksOn(body.scene(), body.mesh())) notes.push_back("warning: " + remark);
+  for (const std::string& remark : remarksOnShapes(body)) notes.push_back("warning: " + remark);
   body.wantWrenches(!options.record.empty());
   Outputs outputs = openOutputs(options, body);
   notes.push_back(describe(body));

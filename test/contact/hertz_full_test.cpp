@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "support/contacts.h"
+#include "support/mesh_folder.h"
+#include "support/solid_meshes.h"
 
 namespace incision::test {
 namespace {
@@ -34,8 +36,9 @@ double reaction(const DeformableBody& body, int cells) {
   return sum / height;
 }
 
-// Force [N] of a sphere of radius 1 m pressed in by each depth [m], statically.
-std::vector<double> forces(int cells, const std::vector<double>& depths, const Material& material) {
+// Force [N] of a sphere of radius 1 m, such a shape, pressed in by each depth [m], statically.
+std::vector<double> forces(int cells, const std::vector<double>& depths, const Material& material,
+                           const std::string& shape = "<sphere radius='1'/>") {
   Scene scene;
   scene.body.material = material;
   scene.body.warping = false;
@@ -45,7 +48,7 @@ std::vector<double> forces(int cells, const std::vector<double>& depths, const M
   scene.contact = ContactSettings();
   scene.contact->friction = 0;
   scene.contact->obstacles = "ball.urdf";
-  DeformableBody body(scene, gradedBlock(cells), {{}, urdfOf("<sphere radius='1'/>", "0 0 1")});
+  DeformableBody body(scene, gradedBlock(cells), {{}, urdfOf(shape, "0 0 1")});
   std::vector<double> found;
   double depth = 0;
   for (const double next : depths) {
@@ -73,6 +76,19 @@ TEST(Contact, GivesHertzForce) {
         EXPECT_NEAR(found[i], exact, 0.1 * exact) << depths[i];
       }
     }
+  }
+}
+
+// The sphere's triangles are a sixth as wide as the contact where it is narrowest.
+TEST(Contact, GivesHertzForceUnderASphereOfTriangles) {
+  const MeshFolder meshes("hertz");
+  const std::string ball = meshes.shape("ball.stl", asBinaryStl(sphereMesh(1, 150)));
+  const std::vector<double> depths = {0.005, 0.01, 0.02};
+  const std::vector<double> found = forces(24, depths, {1e6, 0.3, 1e-9, 0, 0}, ball);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const double exact = 4.0 / 3 * 1e6 / (1 - 0.3 * 0.3) * std::pow(depths[i], 1.5);
+    std::printf("depth %.3f m: %.1f N, %+.1f %%\n", depths[i], found[i], 100 * (found[i] / exact - 1));
+    EXPECT_NEAR(found[i], exact, 0.1 * exact) << depths[i];
   }
 }
 

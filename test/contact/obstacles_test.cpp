@@ -118,7 +118,20 @@ TEST_P(RefusedObstacles, AreNamedInOneLineAndNothingElseIsPrinted) {
 INSTANTIATE_TEST_SUITE_P(
     Shapes, RefusedObstacles,
     ::testing::Values(
-        inCollision("<mesh filename=\"a.stl\"/>", ": a mesh as collision shape (allowed: sphere, box, cylinder)"),
+        inCollision(
+            "<mesh filename=\"a.stl\"/>",
+            ": mesh 'a.stl' is relative, and the description comes from no file (allowed: package://NAME/FILE or "
+            "an absolute path)"),
+        inCollision("<mesh filename=\"model://a.stl\"/>",
+                    ": mesh 'model://a.stl' (allowed: package://NAME/FILE or a path)"),
+        inCollision("<mesh filename=\"package://no_such_package/a.stl\"/>", ": mesh package no_such_package not found"),
+        inCollision("<mesh filename=\"/no/such/a.stl\"/>", ": mesh /no/such/a.stl: cannot be opened: No such file"),
+        inCollision("<mesh filename=\"file:///tmp\"/>", ": mesh /tmp: a folder (allowed: a file)"),
+        inCollision("<mesh filename=\"/etc/passwd\"/>",
+                    ": mesh /etc/passwd is of no format that is read (allowed: .stl, .obj or .dae)"),
+        inCollision("<mesh filename=\"/etc/passwd\" scale=\"1 0 1\"/>",
+                    ": mesh /etc/passwd has the scale 0 (allowed: 1e-09 to 1e+09, or minus that)"),
+        inCollision("<mesh/>", ": a collision shape cannot be read"),
         inCollision("<sphere radius=\"-1\"/>", ": the sphere's radius -1 (allowed: 1e-06 to 1e+06 m)"),
         inCollision("<sphere radius=\"0\"/>", ": the sphere's radius 0 (allowed"),
         inCollision("<sphere radius=\"1e7\"/>", ": the sphere's radius 1e+07 (allowed"),
@@ -126,7 +139,9 @@ INSTANTIATE_TEST_SUITE_P(
         inCollision("<sphere radius=\"inf\"/>", ": a collision shape cannot be read: radius [inf]"),
         inCollision("<sphere radius=\"1e999\"/>", ": a collision shape cannot be read: radius [1e999]"),
         inCollision("<sphere/>", ": a collision shape cannot be read: Sphere shape must have a radius"),
-        inCollision("<capsule radius=\"1\"/>", ": a collision shape cannot be read: Unknown geometry type 'capsule'"),
+        inCollision("<cone radius=\"1\"/>", ": a collision shape cannot be read: Unknown geometry type 'cone'"),
+        inCollision("<capsule radius=\"1\"/>", ": a collision shape cannot be read: Cylinder shape must have both"),
+        inCollision("<capsule radius=\"0\" length=\"1\"/>", ": the capsule's radius 0 (allowed"),
         inCollision("<sphere radius=\"%n%n\"/>", ": a collision shape cannot be read"),
         inCollision("<box size=\"1 0 1\"/>", ": the box's size 0 (allowed"),
         inCollision("<box size=\"1 1\"/>", ": a collision shape cannot be read: Parser found 2 elements but 3"),

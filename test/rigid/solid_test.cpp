@@ -9,6 +9,7 @@
 
 #include "incision/base/input_error.h"
 #include "incision/rigid/box.h"
+#include "incision/rigid/capsule.h"
 #include "incision/rigid/cylinder.h"
 #include "incision/rigid/half_space.h"
 #include "incision/rigid/sphere.h"
@@ -16,15 +17,17 @@
 namespace incision {
 namespace {
 
-constexpr double SPHERE_RADIUS = 0.7, CYLINDER_RADIUS = 0.4, CYLINDER_LENGTH = 1.1;
+constexpr double SPHERE_RADIUS = 0.7, CYLINDER_RADIUS = 0.4, CYLINDER_LENGTH = 1.1, CAPSULE_RADIUS = 0.3,
+                 CAPSULE_LENGTH = 0.9;
 const Vec3 BOX_SIZE(0.5, 1.2, 0.8);
 
 const Sphere SPHERE(SPHERE_RADIUS);
 const Box BOX(BOX_SIZE);
 const Cylinder CYLINDER(CYLINDER_RADIUS, CYLINDER_LENGTH);
+const Capsule CAPSULE(CAPSULE_RADIUS, CAPSULE_LENGTH);
 const HalfSpace HALF_SPACE;
 
-const std::vector<const Solid*> ALL = {&SPHERE, &BOX, &CYLINDER, &HALF_SPACE};
+const std::vector<const Solid*> ALL = {&SPHERE, &BOX, &CYLINDER, &CAPSULE, &HALF_SPACE};
 
 constexpr int RUNGS = 200;  // samples along each direction of a surface
 
@@ -70,6 +73,18 @@ std::vector<Vec3> cylinderSamples(double radius, double length) {
   return samples;
 }
 
+std::vector<Vec3> capsuleSamples(double radius, double length) {
+  std::vector<Vec3> samples;
+  for (Vec3 sample : sphereSamples(radius)) {
+    sample.z() += sample.z() < 0 ? -length / 2 : length / 2;
+    samples.push_back(sample);
+  }
+  for (int j = 0; j < RUNGS; ++j)
+    for (int i = 0; i <= RUNGS; ++i)
+      samples.emplace_back(radius * onCircle(j).x(), radius * onCircle(j).y(), onLine(i) * length / 2);
+  return samples;
+}
+
 std::vector<Vec3> randomPoints(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
@@ -86,7 +101,8 @@ struct Sampled {
 std::vector<Sampled> sampledSolids() {
   return {{&SPHERE, sphereSamples(SPHERE_RADIUS)},
           {&BOX, boxSamples(BOX_SIZE)},
-          {&CYLINDER, cylinderSamples(CYLINDER_RADIUS, CYLINDER_LENGTH)}};
+          {&CYLINDER, cylinderSamples(CYLINDER_RADIUS, CYLINDER_LENGTH)},
+          {&CAPSULE, capsuleSamples(CAPSULE_RADIUS, CAPSULE_LENGTH)}};
 }
 
 TEST(SolidDistance, IsThatOfTheNearestOfManySurfacePoints) {
@@ -111,6 +127,8 @@ TEST(SolidDistance, IsNegativeInside) {
     EXPECT_EQ(SPHERE.distanceTo(p).distance < 0, p.norm() < SPHERE_RADIUS);
     EXPECT_EQ(BOX.distanceTo(p).distance < 0, (2 * p.array().abs() < BOX_SIZE.array()).all());
     EXPECT_EQ(CYLINDER.distanceTo(p).distance < 0, across < CYLINDER_RADIUS && 2 * std::abs(p.z()) < CYLINDER_LENGTH);
+    const double beyond = std::max(0.0, std::abs(p.z()) - CAPSULE_LENGTH / 2);
+    EXPECT_EQ(CAPSULE.distanceTo(p).distance < 0, std::hypot(across, beyond) < CAPSULE_RADIUS);
     EXPECT_EQ(HALF_SPACE.distanceTo(p).distance < 0, p.z() < 0);
   }
 }
@@ -133,7 +151,7 @@ TEST(SolidDistance, NormalIsItsGradient) {
       EXPECT_TRUE(!smooth || (gradient - normal).norm() < 1e-7);
       compared += smooth;
     }
-  EXPECT_GT(compared, 1900);  // of 2000
+  EXPECT_GT(compared, 2400);  // of 2500
 }
 
 TEST(SolidDistance, SurfacePointsAreAtZero) {
@@ -152,7 +170,8 @@ TEST(SolidDistance, SteppingBackAlongTheNormalReachesTheSurface) {
 // Centres, axes, edges, corners, next to nothing beside them, and far off.
 TEST(SolidDistance, NormalIsAUnitVectorEverywhere) {
   std::vector<double> coordinates = {0, -0.0, 5e-324, -5e-324, 1e-200, 1e-17, 1e6, -1e200};
-  for (const double size : {SPHERE_RADIUS, CYLINDER_RADIUS, CYLINDER_LENGTH, BOX_SIZE.x(), BOX_SIZE.y(), BOX_SIZE.z()})
+  for (const double size :
+       {SPHERE_RADIUS, CYLINDER_RADIUS, CYLINDER_LENGTH, CAPSULE_RADIUS, BOX_SIZE.x(), BOX_SIZE.y(), BOX_SIZE.z()})
     for (const double end : {size / 2, -size}) {
       coordinates.push_back(end);
       coordinates.push_back(std::nextafter(end, 10));
@@ -194,8 +213,8 @@ TEST(Solid, ReachesAsFarAsTheFarthestOfManySurfacePoints) {
 }
 
 TEST(Solid, NoTwoPlanesThatHoldItAreNearerThanItIsThick) {
-  for (const Solid* solid :
-       {static_cast<const Solid*>(&SPHERE), static_cast<const Solid*>(&BOX), static_cast<const Solid*>(&CYLINDER)}) {
+  for (const Solid* solid : {static_cast<const Solid*>(&SPHERE), static_cast<const Solid*>(&BOX),
+                             static_cast<const Solid*>(&CYLINDER), static_cast<const Solid*>(&CAPSULE)}) {
     double least = std::numeric_limits<double>::infinity();
     std::vector<Vec3> normals = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
     for (const Vec3& p : randomPoints(200)) normals.push_back(p.normalized());
@@ -210,6 +229,8 @@ TEST(Solid, SizesOutOfRangeAreRefused) {
     EXPECT_THROW(Box(Vec3(1, 1, size)).check("here"), InputError);
     EXPECT_THROW(Cylinder(size, 1).check("here"), InputError);
     EXPECT_THROW(Cylinder(1, size).check("here"), InputError);
+    EXPECT_THROW(Capsule(size, 1).check("here"), InputError);
+    EXPECT_THROW(Capsule(1, size).check("here"), InputError);
   }
   for (const Solid* solid : ALL) EXPECT_NO_THROW(solid->check("here"));
 }

@@ -35,11 +35,14 @@ inline constexpr std::size_t MAX_OBSTACLES = 1000;
 /// The ground, and all collision shapes of the description where the settings name one. Its root link stands at the
 /// origin of the body's frame, and all joints at 0. `urdf` is the text of the description, `name` what errors call it.
 /// Throws InputError when the description is unreadable or hostile, when it has no collision shape or too many, or one
-/// that is a mesh, has a size that is not positive, or lies out of range.
+/// that has a size that is not positive, lies out of range, or is a mesh that cannot be read.
 Obstacles loadObstacles(const ContactSettings& settings, const std::string& urdf, const std::string& name);
 
 /// The collision shapes of one link of a description, if it has any; they belong to link 0. Throws InputError for the
 /// shapes for which loadObstacles does, and where there is no such link.
 Obstacles loadLink(const Description& description, const std::string& link);
+
+/// One sentence for each link and each shape of it that was mended when it was read, such as a mesh that had holes.
+std::vector<std::string> remarksOn(const Obstacles& obstacles);
 
 }  // namespace incision

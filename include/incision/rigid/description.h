@@ -12,8 +12,8 @@ namespace incision {
 
 /// A collision of a link as it is described; nothing is checked.
 struct DescribedSolid {
-  SolidPtr solid;  ///< none where the description has a kind of solid that there is not, which is a mesh
-  Pose pose;       ///< in its link's frame
+  SolidPtr solid;
+  Pose pose;  ///< in its link's frame
 };
 
 struct DescribedLink {
@@ -62,8 +62,11 @@ struct Description {
   int jointIndex(const std::string& joint) const;
 };
 
-/// The links of a URDF, their collisions, and the joints between them. `urdf` is the text, `name` what errors call it.
-/// Throws InputError, in one line, when the text is no URDF, one that xacro has still to expand, or a hostile one.
+/// The links of a URDF, their collisions, and the joints between them. Capsules are read too (`<capsule radius
+/// length/>`, as Drake and later URDF have it). `urdf` is the text, `name` what errors call it: where that is its file,
+/// relative paths of meshes start from the file's folder. Meshes are read when they are checked, or first asked for
+/// something. Throws InputError, in one line, when the text is no URDF, one that xacro has still to expand, or a
+/// hostile one.
 Description parseDescription(const std::string& urdf, const std::string& name);
 
 /// "name: link 'link'", fit for one line of a message.
@@ -72,7 +75,8 @@ std::string linkInMessage(const std::string& name, const std::string& link);
 /// "name: joint 'joint'", likewise.
 std::string jointInMessage(const std::string& name, const std::string& joint);
 
-/// Throws InputError "where…" when there is no solid, or its size or pose is out of range or not finite.
+/// Throws InputError "where…" when the solid's size or its pose is out of range or not finite, or it is a mesh that
+/// cannot be read.
 void checkSolid(const DescribedSolid& described, const std::string& where);
 
 /// Throws InputError "where…" when the pose is out of range or not finite.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "incision/rigid/pose.h"
+#include "incision/rigid/triangle_mesh.h"
 
 namespace incision {
 
@@ -20,9 +21,13 @@ struct Drawing {
     SPHERE,      ///< centred on the origin
     CYLINDER,    ///< centred on the origin, its axis along z
     HALF_SPACE,  ///< z = 0, which has no end
+    CAPSULE,     ///< centred on the origin, its axis along z
+    MESH,        ///< `file` where there is one, else `mesh`
   };
   Primitive primitive = Primitive::BOX;
-  Vec3 size = Vec3::Zero();  ///< edge lengths of the box round it [m]; none of a plane
+  Vec3 size = Vec3::Zero();  ///< edge lengths of the box round it [m]; none of a plane; of a mesh how it is stretched
+  std::string file = {};     ///< of a mesh: a package:// or file:// address
+  std::shared_ptr<const TriangleMesh> mesh = nullptr;
 };
 
 /// A face opposes a normal where the two are against each other by this cosine at least. One of a box's always is.
@@ -54,6 +59,16 @@ class Solid {
 
   /// Radius of the smallest ball round the origin that encloses the solid [m]. Infinite for a half space.
   virtual double reach() const = 0;
+
+  /// Whether all between two of its points belongs to it.
+  virtual bool isConvex() const { return true; }
+
+  /// Whether a point is surely further than `room` [m] from all points of the solid. To say so is quick, and so it may
+  /// be false for points that are.
+  virtual bool isClearOf(const Vec3& /*point*/, double /*room*/) const { return false; }
+
+  /// What was mended where the solid was read, if anything, for those who gave it.
+  virtual std::string remark() const { return ""; }
 
   /// The edge with which a blade of this form cuts, if it has one.
   virtual std::optional<Edge> edge() const { return std::nullopt; }
