@@ -75,10 +75,10 @@ TEST(SeveralTools, StrokesThatCrossPartThePlateInFour) {
 TEST(SeveralTools, ABladeBehindAnotherInItsSlitCutsAndFeelsNothing) {
   const double force = 20;
   const Scene scene = [&] {
-    Scene scene = plateAndBlades({"first", "second"}, force);
-    scene.boundary = {{Place(Vec3(-1, -1, -1), Vec3(0.2, 1, 1)), Vec3::Zero()},
-                      {Place(Vec3(0.8, -1, -1), Vec3(2, 1, 1)), Vec3::Zero()}};
-    return scene;
+    Scene held = plateAndBlades({"first", "second"}, force);
+    held.boundary = {{Place(Vec3(-1, -1, -1), Vec3(0.2, 1, 1)), Vec3::Zero()},
+                     {Place(Vec3(0.8, -1, -1), Vec3(2, 1, 1)), Vec3::Zero()}};
+    return held;
   }();
   DeformableBody body(scene, loadMesh(scene));
   double felt = 0;
@@ -100,9 +100,8 @@ TEST(SeveralTools, WhatOneHasLeftTiedTheOtherFrees) {
     return tool == 0 ? alongY(0.49, 0.45 * share) : alongY(0.49, 1 - 0.2 * share);
   });
   EXPECT_EQ(body.counts().pieces, 1);
-  lead(&body, 30, [](std::size_t tool, double share) {
-    return tool == 0 ? alongY(0.49, 0.45) : alongY(0.49, 0.8 - 0.5 * share);
-  });
+  lead(&body, 30,
+       [](std::size_t tool, double share) { return tool == 0 ? alongY(0.49, 0.45) : alongY(0.49, 0.8 - 0.5 * share); });
   EXPECT_EQ(body.counts().pieces, 2);
 }
 
