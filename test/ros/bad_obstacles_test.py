@@ -15,7 +15,7 @@ NODE = roslib.packages.find_node('incision', 'incision_node')[0]
 SCENE = {'body': {'grid': {'cells': [1, 1, 1]}}}
 
 BAD = {
-    'link \'post\': a mesh as collision shape (allowed: sphere, box, cylinder)': '<mesh filename="a.stl"/>',
+    'link \'post\': mesh \'a.stl\' is relative, and the description comes from no file': '<mesh filename="a.stl"/>',
     'link \'post\': the sphere\'s radius -1 (allowed': '<sphere radius="-1"/>',
     'link \'post\': a collision shape cannot be read: radius [nan] is not a valid float': '<sphere radius="nan"/>',
 }

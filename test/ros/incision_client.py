@@ -17,9 +17,8 @@ TIMEOUT = 40.0  # [s] wall time; far above what anything here takes, on a busy m
 class Client:
     """Talks to one node and remembers what it says."""
 
-    def __init__(self, name='/incision', tool='tool', tool_poses=True):
-        """`tool`: name of the scene's, or of one of them. `tool_poses`: the node listens to its poses, which it does not
-        when it has them from tf."""
+    def __init__(self, name='/incision', tool='tool'):
+        """`tool`: name of the scene's, or of one of them."""
         self.tool_name = tool
         self.states, self.reports, self.wrenches = [], [], []
         self._news = threading.Condition()
@@ -33,7 +32,9 @@ class Client:
         for service, kind in (('pause', SetBool), ('step', Trigger), ('reset', Trigger)):
             rospy.wait_for_service(f'{name}/{service}', TIMEOUT)
             self._services[service] = rospy.ServiceProxy(f'{name}/{service}', kind)
-        needed = [self._cuts, self._poses] if tool_poses else [self._cuts]
+        of_tool = rospy.get_param(f'{name}/scene/tools', {}).get(tool)
+        hears_poses = of_tool is not None and 'frame' not in of_tool
+        needed = [self._cuts, self._poses] if hears_poses else [self._cuts]
         self.wait_for(lambda: all(topic.get_num_connections() for topic in needed), 'the node')
         self.wait_for(lambda: self.states, 'a state')
 

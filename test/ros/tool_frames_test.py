@@ -23,7 +23,7 @@ class ToolFrames(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.client = Client()
-        cls.by_tf = Client('/by_tf', tool_poses=False)
+        cls.by_tf = Client('/by_tf')
         cls.tf = tf2_ros.TransformBroadcaster()
         cls.client.wait_for(lambda: cls.tf.pub_tf.get_num_connections() >= 2, 'both nodes to listen to tf')
 

@@ -227,7 +227,8 @@ std::string refusal(const std::string& urdf) {
 
 TEST(ToolContacts, IsRefusedWhereItIsNoneOfTheShapes) {
   EXPECT_EQ(refusal(toolUrdf("<mesh filename='a.stl'/>")),
-            "tool.urdf: link 'blade': a mesh as collision shape (allowed: sphere, box, cylinder)");
+            "tool.urdf: link 'blade': mesh 'a.stl' is relative, and the description comes from no file (allowed: "
+            "package://NAME/FILE or an absolute path)");
   EXPECT_EQ(refusal(toolUrdf("<box size='0.1 0 0.1'/>")),
             "tool.urdf: link 'blade': the box's size 0 (allowed: 1e-06 to 1e+06 m)");
   EXPECT_EQ(refusal("<robot name='tool'><link name='handle'/></robot>"),
