@@ -74,7 +74,8 @@ class Clamp(unittest.TestCase):
     def test_4_what_falls_silent_is_said_and_stays(self):
         self.client.wait_for(lambda: any('its last transform is older' in w for w in self.warnings), 'a warning')
         self.client.after_steps(20)
-        self.assertLess(self.misses(self.carried(self.rest, 2.1, 0.5)), 1e-4)
+        # Its swing, after it was carried there, dies away.
+        self.client.wait_for(lambda: self.misses(self.carried(self.rest, 2.1, 0.5)) < 1e-4, 'the bar to rest there')
 
     def test_5_after_a_reset_the_frame_begins_where_it_is(self):
         self.client.reset()

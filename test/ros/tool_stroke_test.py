@@ -57,8 +57,8 @@ class ToolStroke(unittest.TestCase):
         self.assertAlmostEqual(HEIGHT, max(point.z for point in faces), delta=EXACT)
         for point in faces:
             self.assertAlmostEqual(X, point.x, delta=EXACT)
-        self.assertAlmostEqual(STOP, state.tool_depth, delta=ELEMENT / 4)
-        self.assertAlmostEqual(STOP * HEIGHT, state.stroke_area, delta=ELEMENT * HEIGHT / 8)
+        self.assertAlmostEqual(STOP, self.client.tool_in(state).depth, delta=ELEMENT / 4)
+        self.assertAlmostEqual(STOP * HEIGHT, self.client.tool_in(state).area, delta=ELEMENT * HEIGHT / 8)
 
     def test_a_stroke_that_stops_and_goes_on_is_one(self):
         self.draw(-0.05, STOP)
@@ -70,8 +70,8 @@ class ToolStroke(unittest.TestCase):
     def test_a_stroke_drawn_through_separates(self):
         state = self.draw(-0.05, WIDTH + 0.05)
         self.assertEqual((1, 2), (state.cracks, state.pieces))
-        self.assertEqual(0, state.tool_depth)
-        self.assertAlmostEqual(WIDTH * HEIGHT, state.stroke_area, delta=0.01 * WIDTH * HEIGHT)
+        self.assertEqual(0, self.client.tool_in(state).depth)
+        self.assertAlmostEqual(WIDTH * HEIGHT, self.client.tool_in(state).area, delta=0.01 * WIDTH * HEIGHT)
         report, = self.new_reports()
         self.assertEqual((CutReport.APPLIED, 'tool', 1, 2),
                          (report.status, report.label, report.cracks, report.pieces), report.reason)
@@ -89,7 +89,8 @@ class ToolStroke(unittest.TestCase):
         turned = (0.5 ** 0.5, 0, 0, 0.5 ** 0.5)
         self.client.lead_tool(tool_line((X, WIDTH + 0.6, -0.1), (X, WIDTH + 0.6, 0.3), turned))
         state = self.client.after_steps(10)
-        self.assertEqual((0, 0, 0), (state.crack_elements, state.tool_depth, state.stroke_area))
+        tool = self.client.tool_in(state)
+        self.assertEqual((0, 0, 0), (state.crack_elements, tool.depth, tool.area))
         self.assertEqual([], self.new_reports())
         # The same wire drawn along the same way, but across the bar: it was the place that cut nothing.
         self.client.lead_tool(tool_line((X, 0.1, -0.1), (X, 0.1, 0.3), turned))
