@@ -189,6 +189,7 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
   auto touch = touches.begin();
   for (std::size_t o = 0; o < solids.solids.shapes.size(); ++o) {
     const MovingShape shape = placeShape(solids.solids.shapes[o], solids, span);
+    if (!skin.mayMeet(shape.from.translation(), shape.reach + shape.moved)) continue;
     for (int i = 0; i < static_cast<int>(skin.x().size()); ++i) {
       if (!mayMeet(skin, i, shape)) continue;
       const Vec3 local = shape.from.inverse(Eigen::Isometry) * skin.x()[i];

@@ -14,13 +14,17 @@ class ContactSkin {
   ContactSkin(const CurrentSurface& surface, const Materials& materials, int threads)
       : current_(surface), materials_(materials), threads_(threads) {}
 
-  /// A step starts: takes over the surface, where it has changed, and places it.
+  /// A step starts: takes over the surface, where it has changed, and places it, unless that has been done for this
+  /// start.
   void begin(const StepStart& start);
 
   const ContactSurface& surface() const { return surface_; }
   const std::vector<Vec3>& x() const { return x_; }  ///< of the vertices [m]
   /// How far they go in the step if nothing new acts [m].
   const std::vector<Vec3>& ahead() const { return ahead_; }
+  /// Whether some vertex may come in the step to within MARGIN elements of a ball round `centre` [m], as far as nothing
+  /// new acts.
+  bool mayMeet(const Vec3& centre, double radius) const { return box_.exteriorDistance(centre) <= radius + room_; }
   int threads() const { return threads_; }
 
   /// Of the surface that was taken over last; 0: none yet.
@@ -32,7 +36,10 @@ class ContactSkin {
   int threads_;
   ContactSurface surface_;
   std::uint64_t version_ = 0;
+  std::uint64_t placed_for_ = 0;  // serial of the start
   std::vector<Vec3> x_, ahead_;
+  Eigen::AlignedBox3d box_;  // of the vertices when the step starts [m],
+  double room_ = 0;          // and what any of them may go, and its margin [m]
 };
 
 }  // namespace incision

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <vector>
 
 #include "incision/base/disjoint_sets.h"
@@ -24,6 +26,12 @@ struct StepSpan {
   bool isWhole() const { return from == 0 && to == 1; }
 };
 
+/// A number that it has never returned before.
+inline std::uint64_t newSerial() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 /// The body as couplers find it when a step starts.
 struct StepStart {
   StepSpan span;
@@ -33,6 +41,7 @@ struct StepStart {
   const std::vector<Vec3>& ahead;         ///< how far each copy goes in the step if nothing new acts on it [m]
   const std::vector<double>& inertia;     ///< what each copy resists with in the step: a third of trace(A_cc) [kg]
   const std::vector<double>& piece_mass;  ///< of each piece, infinite where it is held [kg]
+  std::uint64_t serial = newSerial();     ///< no other start has it: what several couplers need is found once for it
 };
 
 /// Something that acts on copies in a step by springs between them, or to something outside: contact, cohesion, ties, a
