@@ -29,7 +29,7 @@ constexpr Range SIZE = {ABOVE_ZERO, 1000};
 constexpr double JAW_TIME = 1;
 
 std::optional<JawAngles> loadJaw(const YamlMap& parameters) {
-  if (!parameters.find("jaw_open") && !parameters.find("jaw_closed")) return std::nullopt;
+  if (!parameters.has("jaw_open") && !parameters.has("jaw_closed")) return std::nullopt;
   const auto angle = [&](const char* key) { return parameters.at(key).number({-MAX_COORDINATE, MAX_COORDINATE}); };
   return JawAngles{angle("jaw_open"), angle("jaw_closed")};
 }
@@ -37,14 +37,17 @@ std::optional<JawAngles> loadJaw(const YamlMap& parameters) {
 }  // namespace
 
 HandleSettings loadHandleSettings(const ros::NodeHandle& node) {
-  const YamlMap parameters = privateParameters(node, {"frame", "tool_frame", "rate", "tool_pose", "tool_size",
-                                                      "jaw_open", "jaw_closed", "plane", "plane_pose", "plane_size"});
+  const YamlMap parameters =
+      privateParameters(node, {"frame", "tool_frame", "rate", "tool_pose", "tool_size", "tool_axis", "jaw_open",
+                               "jaw_closed", "plane", "plane_pose", "plane_size"});
   HandleSettings settings;
   settings.frame = frameParameter(parameters, "frame", settings.frame);
   settings.tool_frame = frameParameter(parameters, "tool_frame", settings.tool_frame);
   settings.rate = parameters.number("rate", settings.rate, {1, 1000});
   if (const auto pose = parameters.find("tool_pose")) settings.tool_pose = toPose(*pose);
   settings.tool_size = parameters.number("tool_size", settings.tool_size, SIZE);
+  if (const auto axis = parameters.find("tool_axis"))
+    settings.tool_axis = axis->choice<Vec3>({{"x", Vec3::UnitX()}, {"y", Vec3::UnitY()}, {"z", Vec3::UnitZ()}});
   settings.jaw = loadJaw(parameters);
   if (const auto plane = parameters.find("plane")) settings.plane = plane->boolean();
   if (const auto pose = parameters.find("plane_pose")) settings.plane_pose = toPose(*pose);
@@ -78,7 +81,7 @@ Handle::Handle(ros::NodeHandle& node, const HandleSettings& settings)
 void Handle::addTool() {
   pose_.header.frame_id = settings_.frame;
   pose_.pose = toPoseMessage(settings_.tool_pose);
-  server_.insert(toolHandle(settings_.frame, settings_.tool_pose, settings_.tool_size));
+  server_.insert(toolHandle(settings_.frame, settings_.tool_pose, settings_.tool_size, settings_.tool_axis));
   server_.setCallback(
       TOOL, [this](const Feedback& feedback) { moveTool(feedback); }, InteractiveMarkerFeedback::POSE_UPDATE);
   // What is off only touches: a blade cuts nothing, a jaw holds nothing.

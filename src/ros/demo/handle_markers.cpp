@@ -66,10 +66,10 @@ Marker shapeOf(int type, const Vec3& size, float opacity) {
 
 }  // namespace
 
-InteractiveMarker toolHandle(const std::string& frame, const Pose& pose, double size) {
+InteractiveMarker toolHandle(const std::string& frame, const Pose& pose, double size, const Vec3& axis) {
   const double thickness = HANDLE_THICKNESS * size;
   Marker handle = shapeOf(Marker::CYLINDER, {thickness, thickness, size}, 1);
-  handle.pose.position.z = -size / 2;
+  handle.pose = toPoseMessage({-size / 2 * axis, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis)});
   InteractiveMarker marker = markerOf(TOOL, frame, pose, size);
   addShape(handle, &marker);
   addFreedoms(&marker);

@@ -76,7 +76,7 @@ ScalpelSettings loadScalpelSettings(const ros::NodeHandle& node) {
   settings.rate = parameters.number("rate", settings.rate, {1, 20000});
   if (const auto loop = parameters.find("loop")) settings.loop = loop->boolean();
   settings.path = loadPath(parameters, settings.loop);
-  settings.has_jaw = parameters.find("jaw").has_value();
+  settings.has_jaw = parameters.has("jaw");
   return settings;
 }
 

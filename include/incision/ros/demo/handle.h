@@ -25,6 +25,7 @@ struct HandleSettings {
   double rate = 10;                               ///< ~rate [Hz] 1 … 1000: at least so many poses a second
   Pose tool_pose;                                 ///< ~tool_pose: [x, y, z, roll, pitch, yaw], m and rad
   double tool_size = 0.1;                         ///< ~tool_size [m] above 0 … 1000: of the handle drawn
+  Vec3 tool_axis = Vec3::UnitZ();                 ///< ~tool_axis: x, y or z; the handle points against it
   std::optional<JawAngles> jaw;                   ///< ~jaw_open, ~jaw_closed; none: the tool has no jaw
   bool plane = true;                              ///< ~plane: there is a cut plane, too
   Pose plane_pose;                                ///< ~plane_pose, like ~tool_pose
