@@ -17,7 +17,7 @@ AT_BAR = (0.106, 0.01, 0.004)    # [m] of the palm: its jaws point against x, ro
 BACKWARDS = (0, 0, 1, 0)
 OPEN, CLOSED = 0.7, 0.2          # [rad]; the latter is that of the scene
 CUT_X = 0.052                    # [m] where along the bar the knife cuts
-LIFT = 0.01                      # [m]
+LIFT, PULL = 0.01, 0.01          # [m]
 STEPS = 30                       # in which something is led from one place to another
 
 BAD = {
@@ -78,16 +78,16 @@ class TwoArms(unittest.TestCase):
     def test_the_jaws_close_on_the_bar_and_tell_of_it(self):
         self.grip()
         for share in shares():
-            self.step_with(lambda: self.client.move_tool(palm(z=share * LIFT)))
-        # What is lifted pulls the tool down; the frame is that of the link, whose z is that of the body.
-        wrench = self.hold_until(lambda: self.client.wrenches[-1].wrench.force.z < -0.01 and self.client.wrenches[-1],
-                                 'a force', palm(z=LIFT))
+            self.step_with(lambda: self.client.move_tool(palm(x=share * PULL)))
+        # The bar pulls back against x, in which the link's x axis points.
+        wrench = self.hold_until(lambda: self.client.wrenches[-1].wrench.force.x > 0.5 and self.client.wrenches[-1],
+                                 'a force', palm(x=PULL))
         self.assertEqual('palm', wrench.header.frame_id)
         jaw = self.client.jaws[-1]
         self.assertEqual((['jaw'], 1, 1), (jaw.name, len(jaw.position), len(jaw.effort)))
         self.assertAlmostEqual(CLOSED, jaw.position[0], delta=1e-12)
         self.assertGreater(jaw.effort[0], 0)  # the bar presses them open
-        self.assertGreater(self.client.next_state().max_displacement, LIFT / 2)
+        self.assertGreater(self.client.next_state().max_displacement, PULL / 2)
         self.client.move_jaw(OPEN)
         self.client.wait_for(lambda: self.client.tool.gripped == 0, 'the grip to end')
 
