@@ -62,7 +62,6 @@ Handle::Handle(ros::NodeHandle& node, const HandleSettings& settings)
     : settings_(settings),
       publisher_(node, settings.tool_frame, QUEUE),
       active_publisher_(node.advertise<std_msgs::Bool>("active", 1, true)),
-      cut_publisher_(node.advertise<CutPlane>("cut_plane", QUEUE)),
       server_(node.resolveName("markers")),
       timer_(node.createWallTimer(ros::WallDuration(1 / settings.rate),
                                   [this](const ros::WallTimerEvent&) { publishPose(); })) {
@@ -73,7 +72,10 @@ Handle::Handle(ros::NodeHandle& node, const HandleSettings& settings)
     addJawEntries();
   }
   tool_menu_.apply(server_, TOOL);
-  if (settings.plane) addPlane();
+  if (settings.plane) {
+    cut_publisher_ = node.advertise<CutPlane>("cut_plane", QUEUE);
+    addPlane();
+  }
   server_.applyChanges();
   publishActive();
 }
