@@ -30,7 +30,7 @@ def turned(orientation, vector):
 class TwoArmsLaunch(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.client = Client(tool='forceps', jaw=True)
+        cls.client = Client(tool='forceps')
         cls.done, cls.poses = set(), []
         for node in ('lead_forceps', 'lead_scalpel'):
             rospy.Subscriber(f'/{node}/done', Bool, lambda message, node=node: message.data and cls.done.add(node))
@@ -51,8 +51,8 @@ class TwoArmsLaunch(unittest.TestCase):
 
     def hanging(self):
         """The force [N] on the forceps in the body's frame, once it points down."""
-        force = turned(self.poses[-1].pose.orientation, self.client.wrenches[-1].wrench.force)
-        return force if math.hypot(*force[:2]) < -SIDEWAYS * force[2] else None
+        x, y, z = turned(self.poses[-1].pose.orientation, self.client.wrenches[-1].wrench.force)
+        return (x, y, z) if math.hypot(x, y) < -SIDEWAYS * z else None
 
     def test_the_robots_base_knows_where_the_body_is(self):
         buffer = tf2_ros.Buffer()
