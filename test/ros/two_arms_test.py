@@ -144,6 +144,13 @@ class TwoArms(unittest.TestCase):
         self.assertGreater(self.client.tool.gripped, 0)
         self.assertEqual(self.jumps, self.client.tool.jumps)
 
+    def test_stale_forceps_can_be_opened(self):
+        self.grip()
+        self.client.wait_for(lambda: self.client.tool.stale, 'stale forceps')
+        self.client.move_jaw(OPEN)
+        self.client.wait_for(lambda: self.client.tool.gripped == 0, 'the grip to end')
+        self.assertTrue(self.client.tool.stale)
+
     def test_forceps_that_jump_let_go(self):
         self.grip()
         self.client.move_tool(palm(x=0.2))
