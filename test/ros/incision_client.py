@@ -30,15 +30,15 @@ class Client:
         self._poses = rospy.Publisher(f'{name}/{tool}/servo_cp', PoseStamped, queue_size=1000)
         self._tool_active = rospy.Publisher(f'{name}/{tool}/active', Bool, queue_size=10, latch=True)
         of_tool = rospy.get_param(f'{name}/scene/tools', {}).get(tool, {'frame': None})
-        has_jaw = 'joint' in of_tool
-        if has_jaw:
+        needed = [self._cuts] if 'frame' in of_tool else [self._cuts, self._poses]
+        if 'joint' in of_tool:
             rospy.Subscriber(f'{name}/{tool}/jaw/measured_js', JointState, lambda message: self._keep(self.jaws, message))
             self._jaws = rospy.Publisher(f'{name}/{tool}/jaw/servo_jp', JointState, queue_size=1000)
+            needed.append(self._jaws)
         self._services = {}
         for service, kind in (('pause', SetBool), ('step', Trigger), ('reset', Trigger)):
             rospy.wait_for_service(f'{name}/{service}', TIMEOUT)
             self._services[service] = rospy.ServiceProxy(f'{name}/{service}', kind)
-        needed = [self._cuts] + [self._poses] * ('frame' not in of_tool) + [self._jaws] * has_jaw
         self.wait_for(lambda: all(topic.get_num_connections() for topic in needed), 'the node')
         self.wait_for(lambda: self.states, 'a state')
 

@@ -103,7 +103,7 @@ void Scalpel::run() {
 void Scalpel::publishDue(Nanoseconds now) {
   if (now == 0) return;  // /clock has not begun
   if (!start_) {
-    if (!publisher_.hasSubscribers()) return;
+    if (!publisher_.hasSubscribers() || (jaw_publisher_ && jaw_publisher_.getNumSubscribers() == 0)) return;
     start_ = now;
   }
   const auto due = [&] {
