@@ -6,8 +6,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 PICTURE_TIMEOUT=180
 
 usage() {
-  echo "usage: launch/demo.sh [--scalpel] [--headless] [--picture FILE.png] [--build-only]"
+  echo "usage: launch/demo.sh [--scalpel | --two-arms] [--headless] [--picture FILE.png] [--build-only]"
   echo "  --scalpel           a scalpel that is drawn halfway over the organ, instead of the demo"
+  echo "  --two-arms          forceps that lift a lobe of the organ, and a scalpel that cuts it off"
   echo "  --headless          without rviz (so also where there is no display); the demo ends by itself"
   echo "  --picture FILE.png  leaves a picture of the cut body as rviz draws it, without a display, and ends"
   echo "  --build-only        install and build, run nothing"
@@ -23,6 +24,7 @@ build_only=
 while (($#)); do
   case $1 in
     --scalpel) launch=scalpel.launch without_rviz=rviz:=false through="the path is through" ;;
+    --two-arms) launch=two_arms.launch without_rviz=rviz:=false through="the path is through" ;;
     --headless) headless=1 ;;
     --picture) (($# > 1)) || { usage >&2 && exit 2; } && picture=$(realpath -m "$2") && shift ;;
     --build-only) build_only=1 ;;

@@ -8,6 +8,7 @@ import time
 import rospy
 from geometry_msgs.msg import Point, PoseStamped, Quaternion, Vector3, WrenchStamped
 from incision.msg import BodyState, CutPlane, CutReport
+from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, Trigger
 
@@ -20,7 +21,7 @@ class Client:
     def __init__(self, name='/incision', tool='tool'):
         """`tool`: name of the scene's, or of one of them."""
         self.tool_name = tool
-        self.states, self.reports, self.wrenches = [], [], []
+        self.states, self.reports, self.wrenches, self.jaws = [], [], [], []
         self._news = threading.Condition()
         rospy.Subscriber(name + '/state', BodyState, lambda message: self._keep(self.states, message))
         rospy.Subscriber(name + '/cut_report', CutReport, lambda message: self._keep(self.reports, message))
@@ -28,13 +29,16 @@ class Client:
         self._cuts = rospy.Publisher(name + '/cut_plane', CutPlane, queue_size=10000, tcp_nodelay=True)
         self._poses = rospy.Publisher(f'{name}/{tool}/servo_cp', PoseStamped, queue_size=1000)
         self._tool_active = rospy.Publisher(f'{name}/{tool}/active', Bool, queue_size=10, latch=True)
+        of_tool = rospy.get_param(f'{name}/scene/tools', {}).get(tool, {'frame': None})
+        needed = [self._cuts] if 'frame' in of_tool else [self._cuts, self._poses]
+        if 'joint' in of_tool:
+            rospy.Subscriber(f'{name}/{tool}/jaw/measured_js', JointState, lambda message: self._keep(self.jaws, message))
+            self._jaws = rospy.Publisher(f'{name}/{tool}/jaw/servo_jp', JointState, queue_size=1000)
+            needed.append(self._jaws)
         self._services = {}
         for service, kind in (('pause', SetBool), ('step', Trigger), ('reset', Trigger)):
             rospy.wait_for_service(f'{name}/{service}', TIMEOUT)
             self._services[service] = rospy.ServiceProxy(f'{name}/{service}', kind)
-        of_tool = rospy.get_param(f'{name}/scene/tools', {}).get(tool)
-        hears_poses = of_tool is not None and 'frame' not in of_tool
-        needed = [self._cuts, self._poses] if hears_poses else [self._cuts]
         self.wait_for(lambda: all(topic.get_num_connections() for topic in needed), 'the node')
         self.wait_for(lambda: self.states, 'a state')
 
@@ -114,6 +118,12 @@ class Client:
             seen = len(self.states)
             self.move_tool(pose)
             self.wait_for(lambda: len(self.states) > seen, 'a step')
+
+    def move_jaw(self, angle):
+        self.send_jaw(JointState(position=[angle]))
+
+    def send_jaw(self, message):
+        self._jaws.publish(message)
 
     def activate_tool(self, active=True):
         self._tool_active.publish(active)

@@ -15,6 +15,7 @@ import tf2_ros
 from geometry_msgs.msg import PoseStamped
 from incision_client import run_to_its_end, wait_for
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool
 
 NODE = roslib.packages.find_node('incision', 'incision_scalpel')[0]
@@ -33,6 +34,12 @@ BAD = {
     "rate: '0.5' (allowed: 1 to 20000)": {'path': [START], 'rate': 0.5},
     "rate: 'fast' (allowed: 1 to 20000)": {'path': [START], 'rate': 'fast'},
     "speed: '0' (allowed: above 0, up to 100)": {'path': [START], 'speed': 0},
+    'jaw: a list of 2 (allowed: a list of 1)': {'path': [START], 'jaw': [0.1, 0.2]},
+    "jaw.0: '.nan' (allowed: -1e+09 to 1e+09)": {'path': [START], 'jaw': [math.nan]},
+    'leg_times: a list of 2 (allowed: a list of 1)': {'path': [START, END], 'leg_times': [1, 2]},
+    'leg_times: a list of 1 (allowed: a list of 2)': {'path': [START, END], 'leg_times': [1], 'loop': True},
+    "leg_times.0: '-1' (allowed: 0 to 1e+06)": {'path': [START, END], 'leg_times': [-1]},
+    'path.2: at the position of the waypoint before it': {'path': [START, END, END], 'leg_times': [1, 0]},
     "loop: '2' (allowed: true, false)": {'path': [START], 'loop': 2},
     "frame: '/body' (allowed: a tf2 frame": {'path': [START], 'frame': '/body'},
     "tool_frame: '' (allowed: text of 1 to": {'path': [START], 'tool_frame': ''},
@@ -44,8 +51,9 @@ class Listener:
     """What a scalpel says; its subscribers are there before the scalpel is."""
 
     def __init__(self):
-        self.poses, self.done = [], []
+        self.poses, self.angles, self.done = [], [], []
         self._subscribers = [rospy.Subscriber('/knife/pose', PoseStamped, self.poses.append, tcp_nodelay=True),
+                             rospy.Subscriber('/knife/jaw', JointState, self.angles.append, tcp_nodelay=True),
                              rospy.Subscriber('/knife/done', Bool, lambda message: self.done.append(message.data))]
 
     def close(self):
@@ -95,6 +103,22 @@ class Scalpel(unittest.TestCase):
             self.assertEqual([False, True], said.done)
             self.assertEqual({'table'}, {pose.header.frame_id for pose in said.poses})
             self.assertEqual(-0.2, y_of(said.poses[0]))
+
+    def test_a_leg_takes_its_time_and_the_jaw_turns_on_it(self):
+        """The jaw closes in place, goes along open by half, and stays so."""
+        with scalpel(path=[START, START, END], jaw=[0.9, 0.1, 0.5], leg_times=[0.5, 1], speed=100, rate=200) as said:
+            wait_for(lambda: True in said.done, 'the end of the path')
+            held = len(said.angles)
+            wait_for(lambda: len(said.angles) > held + 20 and len(said.poses) > held + 20, 'the last angle repeated')
+            start = said.poses[0].header.stamp
+            for pose, angle in zip(said.poses, said.angles):
+                self.assertEqual(pose.header.stamp, angle.header.stamp)
+                seconds = (angle.header.stamp - start).to_sec()
+                way = min(max(seconds - 0.5, 0), 1)
+                self.assertAlmostEqual(-0.2 + 0.4 * way, y_of(pose), delta=EXACT)
+                self.assertAlmostEqual(0.9 - 1.6 * min(seconds, 0.5) + 0.4 * way, angle.position[0], delta=EXACT)
+            self.assertEqual({(1, 0, 0)}, {(len(angle.position), len(angle.name), len(angle.effort))
+                                           for angle in said.angles})
 
     def test_a_loop_comes_back(self):
         with scalpel(path=[START, END], speed=2, loop=True) as said:

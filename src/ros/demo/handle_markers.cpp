@@ -66,11 +66,11 @@ Marker shapeOf(int type, const Vec3& size, float opacity) {
 
 }  // namespace
 
-InteractiveMarker scalpelHandle(const std::string& frame, const Pose& pose, double size) {
+InteractiveMarker toolHandle(const std::string& frame, const Pose& pose, double size, const Vec3& axis) {
   const double thickness = HANDLE_THICKNESS * size;
   Marker handle = shapeOf(Marker::CYLINDER, {thickness, thickness, size}, 1);
-  handle.pose.position.z = -size / 2;
-  InteractiveMarker marker = markerOf(SCALPEL, frame, pose, size);
+  handle.pose = toPoseMessage({-size / 2 * axis, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis)});
+  InteractiveMarker marker = markerOf(TOOL, frame, pose, size);
   addShape(handle, &marker);
   addFreedoms(&marker);
   return marker;

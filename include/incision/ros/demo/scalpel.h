@@ -17,7 +17,8 @@ namespace incision {
 struct ScalpelSettings {
   std::string frame = "body";        ///< ~frame of the path
   std::string tool_frame = "blade";  ///< ~tool_frame in tf
-  std::vector<Pose> path;            ///< ~path: waypoints [x, y, z, roll, pitch, yaw], m and rad
+  std::vector<Waypoint> path;        ///< ~path: poses [x, y, z, roll, pitch, yaw], m and rad; ~jaw; ~leg_times
+  bool has_jaw = false;              ///< ~jaw is given: angles are published, too
   double speed = 0.05;               ///< ~speed [m/s] above 0 … 100
   double rate = 100;                 ///< ~rate [Hz] 1 … 20000: poses a second
   bool loop = false;                 ///< ~loop: from the last waypoint on to the first
@@ -39,11 +40,13 @@ class Scalpel {
   void publishDue(Nanoseconds now);
   Nanoseconds afterStart(std::int64_t pose) const;
   void publishNext();
+  void publishJaw(double angle, const ros::Time& stamp);
   void publishDone(bool done);
 
   const ScalpelSettings settings_;
   const ToolPath path_;
   ToolPosePublisher publisher_;
+  ros::Publisher jaw_publisher_;  ///< of a tool that has one
   ros::Publisher done_publisher_;
   bool done_ = false;
   std::optional<Nanoseconds> start_;  ///< of the path; none: nobody has listened yet
