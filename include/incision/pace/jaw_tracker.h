@@ -18,7 +18,7 @@ class JawTracker {
   /// Where the jaw goes in the next step, if it moves [rad]. In a `single` step, of a paused body, it goes all the way.
   std::optional<double> follow(const std::vector<ReceivedAngle>& angles, bool single);
 
-  /// Nothing is known of the jaw any more, which stays where it is.
+  /// Nothing is known of the jaw any more: it is where the body has it, until it is told to go somewhere.
   void restart();
 
  private:
