@@ -67,9 +67,10 @@ std::optional<CutResult> WorkingEdges::act(const std::vector<std::vector<Pose>>&
     for (int s = 0; s < sweeps; ++s) {
       const double end = static_cast<double>(s + 1) / sweeps;
       const double share = (static_cast<double>(leg) + end) / static_cast<double>(legs);
-      const std::vector<Vec3>& x = positionsBefore((1 - share) * time_step, motion, &x_within_);
+      // Each edge finds the copies that the one before it has added.
       for (std::size_t i = 0; i < edges_.size(); ++i)
-        sweep(i, at(i, between(wayOf(i)[leg], wayOf(i)[leg + 1], end)), x, door);
+        sweep(i, at(i, between(wayOf(i)[leg], wayOf(i)[leg + 1], end)),
+              positionsBefore((1 - share) * time_step, motion, &x_within_), door);
     }
   }
   if (!stroke_.begun()) return std::nullopt;
