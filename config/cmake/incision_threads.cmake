@@ -19,4 +19,4 @@ incision_thread_scene(contact config/scenes/dropped_plate.yaml 20)
 incision_thread_scene(fracture config/scenes/slit_plane.yaml 20
   --set fracture.tensile_strength=1000 --set fracture.fuse_distance=0.02)
 incision_thread_scene(tool test/ros/tool_bar.yaml 40 --set solver.method=iterative
-  --set tool.poses=[[0,0.51,-0.05,0,0,0,0,1],[0.35,0.51,0.3,0,0,0,0,1]])
+  --set tools.tool.poses=[[0,0.51,-0.05,0,0,0,0,1],[0.35,0.51,0.3,0,0,0,0,1]])

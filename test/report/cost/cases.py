@@ -24,8 +24,8 @@ def slits(first, apart):
 
 def wire(x, last):
     """A wire across the bar that goes down from above it to the height `last` at the end of the measured steps."""
-    return ('tool={edge: [[0, -0.5, 0], [0, 0.5, 0]], poses: '
-            f'[[{START - 4 * TIME_STEP}, {x}, 0, 0.3, 0, 0, 0, 1], [{END}, {x}, 0, {last}, 0, 0, 0, 1]]}}')
+    return ('tools={wire: {type: blade, edge: [[0, -0.5, 0], [0, 0.5, 0]], poses: '
+            f'[[{START - 4 * TIME_STEP}, {x}, 0, 0.3, 0, 0, 0, 1], [{END}, {x}, 0, {last}, 0, 0, 0, 1]]}}}}')
 
 
 LAYERS = 'cuts=[{point: [0.5, 0.125, 0.15], normal: [0.05, 0.03, 1]}]'
