@@ -22,13 +22,6 @@ Closed closed(const TriangleMesh& mesh) {
   return closed;
 }
 
-double volumeOf(const ClosedMesh& mesh) {
-  double volume = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    volume += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6;
-  return volume;
-}
-
 /// Whether every triangle has neighbours that have it as theirs, along the same edge the other way round.
 bool isWhole(const ClosedMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -19,13 +19,6 @@ Eigen::AlignedBox3d boxRound(const TriangleMesh& mesh) {
   return box;
 }
 
-double volumeOf(const TriangleMesh& mesh) {
-  double volume = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    volume += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6;
-  return volume;
-}
-
 void expectAngle(const TriangleMesh& mesh, double scale) {
   EXPECT_EQ(mesh.triangles.size(), ANGLE.triangles.size());
   EXPECT_LT((boxRound(mesh).min() - scale * boxRound(ANGLE).min()).norm(), 1e-6 * scale);

@@ -5,11 +5,10 @@ import math
 import sys
 import time
 import unittest
-import xmlrpc.client
 
 import rospy
-import rosgraph
 import rostest
+from flood import passing, process_of, resident_mb, steps_per_second
 from incision.msg import CutReport
 from incision_client import Client, cut_plane
 
@@ -22,22 +21,11 @@ BAD = [cut_plane(label='bad', point=(math.nan, 0, 0)), cut_plane(label='bad', no
        cut_plane(label='bad' * 30)]
 
 
-def resident_mb(pid):
-    with open(f'/proc/{pid}/status', encoding='ascii') as status:
-        return next(int(line.split()[1]) for line in status if line.startswith('VmRSS')) / 1024
-
-
 class Flood(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.client = Client()
-        uri = rosgraph.Master('/flood_test').lookupNode('/incision')
-        cls.pid = xmlrpc.client.ServerProxy(uri).getPid('/flood_test')[2]
-
-    def steps_per_second(self, during):
-        first, start = self.client.next_state().step, time.monotonic()
-        during()
-        return (self.client.next_state().step - first) / (time.monotonic() - start)
+        cls.pid = process_of('/incision')
 
     def flood(self):
         start = time.monotonic()
@@ -51,9 +39,9 @@ class Flood(unittest.TestCase):
                     time.sleep(ahead)
 
     def test_good_cuts_among_bad_ones(self):
-        idle = self.steps_per_second(lambda: time.sleep(3))
+        idle = steps_per_second(self.client, passing(self.client, 3))
         memory = resident_mb(self.pid)
-        flooded = self.steps_per_second(self.flood)
+        flooded = steps_per_second(self.client, self.flood)
         self.assertGreater(flooded, 0.9 * idle)
         self.assertLess(resident_mb(self.pid) - memory, MEMORY)
         good = self.client.wait_for(self.good_reports, 'the reports of all good cuts')

@@ -3,23 +3,20 @@
 
 import contextlib
 import statistics
-import subprocess
 import sys
-import time
 import unittest
-import xmlrpc.client
 
-import roslib.packages
 import rospy
-import rosgraph
 import rostest
-from geometry_msgs.msg import PoseStamped
-from incision_client import TIMEOUT, Client
+from flood import leading, passing, poses_sent, process_of, resident_mb, steps_per_second
+from incision_client import Client
 
 SECONDS = 10
 RATE = 5000  # poses a second to each tool, and as many angles to the jaw
 TIME_STEP = 0.01  # [s]
 MEMORY = 5  # [MB] the node may grow: the slits and the lists it fills
+LED = {'rate': RATE, 'speed': 0.2, 'loop': True}
+BESIDE = [[1.2, 0, 0, 0, 0, 0], [1.2, 0.2, 0, 0, 0, 0]]  # the bar
 BLADES = {'left': 0.24, 'middle': 0.51, 'right': 0.76}  # x [m] where each cuts
 
 
@@ -28,55 +25,23 @@ def path(x):
     return [[x, -0.05, 0, 0, 0, 0], [x, 0.15, 0, 0, 0, 0]]
 
 
-def resident_mb(pid):
-    with open(f'/proc/{pid}/status', encoding='ascii') as status:
-        return next(int(line.split()[1]) for line in status if line.startswith('VmRSS')) / 1024
-
-
-@contextlib.contextmanager
-def leading(tool, **parameters):
-    """A node that leads the tool."""
-    name = 'lead_' + tool
-    rospy.set_param('/' + name, {'rate': RATE, 'speed': 0.2, 'loop': True, **parameters})
-    program = roslib.packages.find_node('incision', 'incision_scalpel')[0]
-    node = subprocess.Popen([program, '__name:=' + name, f'/{name}/pose:=/incision/{tool}/servo_cp',
-                             f'/{name}/jaw:=/incision/{tool}/jaw/servo_jp'])
-    try:
-        yield
-    finally:
-        node.terminate()
-        node.wait(TIMEOUT)
-
-
-def poses_sent(tool):
-    """And when. Listens no longer than it takes, since Python is too slow for all of them."""
-    pose = rospy.wait_for_message(f'/incision/{tool}/servo_cp', PoseStamped, TIMEOUT)
-    return pose.header.seq, time.monotonic()
-
-
 class ToolFlood4(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.client = Client(tool='forceps')
-        uri = rosgraph.Master('/tool_flood4_test').lookupNode('/incision')
-        cls.pid = xmlrpc.client.ServerProxy(uri).getPid('/tool_flood4_test')[2]
-
-    def steps_per_second(self, seconds):
-        first, start = self.client.next_state().step, time.monotonic()
-        self.client.wait_for(lambda: time.monotonic() > start + seconds, 'time to pass', seconds + TIMEOUT)
-        return (self.client.next_state().step - first) / (time.monotonic() - start)
+        cls.pid = process_of('/incision')
 
     def test_a_flood_for_each_tool(self):
-        idle = self.steps_per_second(3)
+        idle = steps_per_second(self.client, passing(self.client, 3))
         with contextlib.ExitStack() as leaders:
             for name, x in BLADES.items():
-                leaders.enter_context(leading(name, path=path(x)))
-            leaders.enter_context(leading('forceps', path=[[1.2, 0, 0, 0, 0, 0], [1.2, 0.2, 0, 0, 0, 0]], jaw=[0.7, 0.2]))
+                leaders.enter_context(leading(name, path=path(x), **LED))
+            leaders.enter_context(leading('forceps', path=BESIDE, jaw=[0.7, 0.2], **LED))
             self.client.wait_for(lambda: {report.label for report in self.client.reports} == set(BLADES),
                                  'the reports of the strokes, after which all is cut')
             memory, seen = resident_mb(self.pid), len(self.client.states)
             sent = {tool: poses_sent(tool) for tool in (*BLADES, 'forceps')}
-            flooded = self.steps_per_second(SECONDS)
+            flooded = steps_per_second(self.client, passing(self.client, SECONDS))
             states = self.client.states[seen:]
             for tool, (first, start) in sent.items():
                 last, end = poses_sent(tool)

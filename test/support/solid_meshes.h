@@ -12,6 +12,15 @@
 
 namespace incision::test {
 
+/// That a mesh of triangles encloses, closed or not [m³].
+template <typename Mesh>
+double volumeOf(const Mesh& mesh) {
+  double volume = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    volume += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c])) / 6;
+  return volume;
+}
+
 /// A grid of points that a surface is spanned between, closed round or not: triangles of (i, j), (i + 1, j), … .
 template <typename At>
 TriangleMesh spanned(int rows, int columns, const At& at) {
