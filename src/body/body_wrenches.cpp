@@ -43,7 +43,7 @@ void DeformableBody::State::placeClamp(int clamp, const Pose& pose) {
   const Pose end = clamp_motions.place(static_cast<std::size_t>(clamp), pose);
   for (int c = 0; c < mesh.numCopies(); ++c) {
     if (step.held()[c] != clamp) continue;
-    motion.x[c] = end.position + end.orientation * mesh.mesh().nodes[mesh.copyNode(c)];
+    motion.x[c] = placed(mesh.mesh().nodes[mesh.copyNode(c)], end);
     motion.v[c].setZero();
   }
   last_steps.forget();

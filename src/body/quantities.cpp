@@ -51,13 +51,12 @@ std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body) {
 
 std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, std::size_t tool, const StepResult& last_step) {
   const ToolReport report = tool < last_step.tools.size() ? last_step.tools[tool] : ToolReport();
-  const ToolForm form = body.toolForm(tool);
   std::vector<Quantity> quantities = {{"force", report.force}, {"torque", report.torque}};
-  if (!form.edges.empty()) {
+  if (!body.toolForm(tool).edges.empty()) {
     quantities.push_back({"depth", report.depth});
     quantities.push_back({"area", report.stroke_area});
   }
-  if (form.has_jaw) {
+  if (body.scene().tools[tool].jaw) {
     quantities.push_back({"jaw", report.jaw});
     quantities.push_back({"jaw_torque", report.jaw_torque});
     quantities.push_back({"gripped", report.gripped});

@@ -12,11 +12,6 @@ namespace {
 /// k_t/k: as a half space gives way to a shear, roughly.
 constexpr double TANGENTIAL = 0.5;
 
-/// Δt² k over the mass that resists at the point. A spring beyond that acts as if it were rigid, and only makes the
-/// step hard to settle: with 10 a piece that lies on the ground sinks in by a few hundredths of g Δt². (Castro et al.,
-/// "An unconstrained convex formulation of compliant contact", bound it likewise, by 40.)
-constexpr double STIFFEST = 10;
-
 /// Against obstacles, which do not give way, so many times that as far as the copies resist: what is held and pressed
 /// by one sinks in by less than 0.2 % of what it gives way by itself.
 constexpr double STIFFER_ON_OBSTACLES = 12;

@@ -1,7 +1,6 @@
 #include "incision/contact/contact_skin.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "incision/contact/candidate.h"
 
@@ -16,13 +15,13 @@ void ContactSkin::begin(const StepStart& start) {
   interpolate(*surface_.surface, start.motion.x, threads_, &x_);
   interpolate(*surface_.surface, start.ahead, threads_, &ahead_);
   box_.setEmpty();
-  double farthest = 0, largest = 0;
+  largest_room_ = 0;
+  room_.resize(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) {
     box_.extend(x_[i]);
-    farthest = std::max(farthest, ahead_[i].squaredNorm());
-    largest = std::max(largest, surface_.size[i]);
+    room_[i] = MARGIN * surface_.size[i] + ahead_[i].norm();
+    largest_room_ = std::max(largest_room_, room_[i]);
   }
-  room_ = std::sqrt(farthest) + MARGIN * largest;
 }
 
 }  // namespace incision

@@ -172,13 +172,8 @@ std::optional<Candidate> candidateAt(const ContactSkin& skin, int vertex, const 
   return candidate;
 }
 
-/// How far from a shape a vertex may be that meets it in the step [m].
-double roomFor(const ContactSkin& skin, int vertex, const MovingShape& shape) {
-  return shape.moved + MARGIN * skin.surface().size[vertex] + skin.ahead()[vertex].norm();
-}
-
 bool mayMeet(const ContactSkin& skin, int vertex, const MovingShape& shape) {
-  const double room = shape.reach + roomFor(skin, vertex, shape);
+  const double room = shape.reach + shape.moved + skin.room(vertex);
   return (skin.x()[vertex] - shape.from.translation()).squaredNorm() <= room * room && skin.surface().area[vertex] > 0;
 }
 
@@ -198,7 +193,7 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
       at.partner = static_cast<int>(o);
       while (touch != touches.end() && comesBefore(*touch, at)) ++touch;
       const bool touched = touch != touches.end() && !comesBefore(at, *touch);
-      if (!touched && shape.solid->isClearOf(local, roomFor(skin, i, shape))) continue;
+      if (!touched && shape.solid->isClearOf(local, shape.moved + skin.room(i))) continue;
       const Touch* before = touched ? &*touch : nullptr;
       const std::optional<SolidDistance> nearest = shape.in_slits
                                                        ? keepOff(skin.surface(), skin.x(), i, shape, local, before)

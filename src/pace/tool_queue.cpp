@@ -2,20 +2,23 @@
 
 namespace incision {
 
+template <class Value>
+void ToolQueue::thinWhereFull(StampedQueue<Value>* queue) {
+  if (queue->size() <= MAX_WAITING_POSES) return;
+  queue->thin();
+  ++thinned_;
+}
+
 void ToolQueue::add(ReceivedPose pose, Nanoseconds stamp) {
   pose.active = active_;
   poses_.add(pose, stamp);
   last_pose_ = stamp;
-  if (poses_.size() <= MAX_WAITING_POSES) return;
-  poses_.thin();
-  ++thinned_;
+  thinWhereFull(&poses_);
 }
 
 void ToolQueue::add(const ReceivedAngle& angle, Nanoseconds stamp) {
   jaw_.add(angle, stamp);
-  if (jaw_.size() <= MAX_WAITING_POSES) return;
-  jaw_.thin();
-  ++thinned_;
+  thinWhereFull(&jaw_);
 }
 
 void ToolQueue::activate(bool active) {

@@ -138,10 +138,11 @@ Pose JawLinks::pose(int group, double angle) const {
   return {g.origin.position, (Eigen::AngleAxisd(q, g.axis) * g.origin.orientation).normalized()};
 }
 
-Vec3 JawLinks::closing(const Vec3& point) const {
-  const Group& jaw = groups_[1];
-  return jaw.kind == JointKind::PRISMATIC ? jaw.axis : jaw.axis.cross(point - jaw.origin.position);
+Vec3 JawLinks::velocity(int group, const Vec3& point) const {
+  return groups_[group].multiplier * groups_[group].course(point);
 }
+
+Vec3 JawLinks::closing(const Vec3& point) const { return groups_[1].course(point); }
 
 double JawLinks::effort(int group, const Wrench& wrench) const {
   const Group& g = groups_[group];

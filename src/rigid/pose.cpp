@@ -9,7 +9,7 @@ bool operator==(const Pose& a, const Pose& b) {
 }
 
 Pose composed(const Pose& outer, const Pose& inner) {
-  return {outer.position + outer.orientation * inner.position, (outer.orientation * inner.orientation).normalized()};
+  return {placed(inner.position, outer), (outer.orientation * inner.orientation).normalized()};
 }
 
 Pose inverse(const Pose& pose) {
@@ -21,9 +21,7 @@ Pose between(const Pose& a, const Pose& b, double s) {
   return {(1 - s) * a.position + s * b.position, a.orientation.slerp(s, b.orientation)};
 }
 
-Edge placed(const Edge& edge, const Pose& pose) {
-  return {pose.position + pose.orientation * edge[0], pose.position + pose.orientation * edge[1]};
-}
+Edge placed(const Edge& edge, const Pose& pose) { return {placed(edge[0], pose), placed(edge[1], pose)}; }
 
 Vec3 nearestOn(const Edge& edge, const Vec3& point) { return nearestOnSegment(edge[0], edge[1], point); }
 

@@ -55,7 +55,7 @@ void CommandInput::subscribeToTool(ros::NodeHandle& node, int tool, const ToolSe
         [this, tool](const geometry_msgs::PoseStamped& message) { receivePose(tool, message); });
   subscribe<std_msgs::Bool>(node, settings.name + "/active",
                             [this, tool](const std_msgs::Bool& message) { agenda_.activate(tool, message.data != 0); });
-  if (!form.has_jaw) return;
+  if (!settings.jaw) return;
   const Jaw jaw = {settings.jaw->joint, form.jaw};
   subscribe<sensor_msgs::JointState>(
       node, settings.name + "/jaw/servo_jp",
@@ -89,9 +89,14 @@ void CommandInput::receiveJaw(int tool, const Jaw& jaw, const sensor_msgs::Joint
     reporter_.refuseTool(tool, *refused);
     return;
   }
-  const auto received = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-  const Nanoseconds stamp = use_sim_time_ ? static_cast<Nanoseconds>(message.header.stamp.toNSec()) : 0;
-  agenda_.add(tool, ReceivedAngle{message.position[0], use_sim_time_ ? stamp : received}, stamp);
+  const auto stamp = static_cast<Nanoseconds>(message.header.stamp.toNSec());
+  const Nanoseconds time = timeOf(stamp, std::chrono::steady_clock::now());
+  agenda_.add(tool, ReceivedAngle{message.position[0], time}, use_sim_time_ ? stamp : 0);
+}
+
+/// By which what leads a tool grows old.
+Nanoseconds CommandInput::timeOf(Nanoseconds stamp, SteadyTime received) const {
+  return use_sim_time_ ? stamp : std::chrono::nanoseconds(received.time_since_epoch()).count();
 }
 
 void CommandInput::accept(const Command& command) {
@@ -106,9 +111,9 @@ void CommandInput::release(const Command& command) {
       reporter_.refuseCut(put_out->label, {Refusal::TOO_MANY, "too many cuts wait for their step"});
     wakeup_.notify();
   } else {  // waits for the next step, of which nobody needs to be told
-    const auto received = std::chrono::nanoseconds(command.received.time_since_epoch()).count();
     const auto& asked = std::get<ToolPose>(command.action);
-    agenda_.add(asked.tool, ReceivedPose{asked.pose, use_sim_time_ ? stamp : received, command.received}, stamp);
+    const Nanoseconds time = timeOf(command.stamp, command.received);
+    agenda_.add(asked.tool, ReceivedPose{asked.pose, time, command.received}, stamp);
   }
 }
 

@@ -34,7 +34,6 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
       materials_(body.materials()),
       obstacles_(body.obstacles()),
       contact_names_(contactNames(obstacles_, namesOf(settings.scene.tools))),
-      tool_names_(namesOf(settings.scene.tools)),
       next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
   if (settings.marker_rate == 0) return;
   period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.marker_rate));
@@ -45,8 +44,8 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
   cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("surface", 1);
   contact_publisher_ = node.advertise<Contacts>("contacts", 1);
   if (!obstacles_.shapes.empty()) obstacle_publisher_ = advertise("obstacles");
-  if (!tool_names_.empty()) tool_publisher_ = advertise("tool_markers");
-  for (std::size_t i = 0; i < tool_names_.size(); ++i) tool_forms_.push_back(body.toolForm(i));
+  if (body.tools() > 0) tool_publisher_ = advertise("tool_markers");
+  for (std::size_t i = 0; i < body.tools(); ++i) tool_forms_.push_back(body.toolForm(i));
   thread_ = std::thread([this] { run(); });
 }
 
@@ -93,9 +92,9 @@ void MarkerPublisher::addBody(const DeformableBody& body, Snapshot* snapshot) {
 
 std::vector<ToolView> MarkerPublisher::toolViews(const DeformableBody& body, const StepResult& last_step) const {
   std::vector<ToolView> views;
-  for (std::size_t i = 0; i < tool_names_.size(); ++i) {
+  for (std::size_t i = 0; i < body.tools(); ++i) {
     const Vec3 force = i < last_step.tools.size() ? last_step.tools[i].force : Vec3::Zero();
-    views.push_back({tool_names_[i], body.toolGroups(i), force});
+    views.push_back({contact_names_.tools[i], body.toolGroups(i), force});
   }
   return views;
 }

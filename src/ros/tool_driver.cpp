@@ -37,7 +37,7 @@ ToolDriver::ToolDriver(ros::NodeHandle& node, std::size_t tool, const Scene& sce
       jaw_(scene.solver.time_step),
       pose_publisher_(node.advertise<geometry_msgs::PoseStamped>(settings_.name + "/measured_cp", MEASURED_QUEUE)),
       wrench_publisher_(node.advertise<geometry_msgs::WrenchStamped>(settings_.name + "/measured_cf", MEASURED_QUEUE)) {
-  if (form.has_jaw)
+  if (settings_.jaw)
     jaw_publisher_ = node.advertise<sensor_msgs::JointState>(settings_.name + "/jaw/measured_js", MEASURED_QUEUE);
 }
 

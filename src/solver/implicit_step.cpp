@@ -240,7 +240,7 @@ Vec3 ImplicitStep::heldVelocity(int copy) const {
   if (clamp_ends_.empty() || !clamp_ends_[clamp]) return conditions_.clamps[clamp].velocity;
   const Pose& end = *clamp_ends_[clamp];
   const Vec3& rest = mesh_.mesh().nodes[mesh_.copyNode(copy)];
-  return (end.position + end.orientation * rest - base_.x[copy]) / time_step_;
+  return (placed(rest, end) - base_.x[copy]) / time_step_;
 }
 
 /// What the equation leaves at a held copy is what its clamp takes up.

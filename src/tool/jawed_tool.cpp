@@ -1,6 +1,5 @@
 #include "incision/tool/jawed_tool.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace incision {
@@ -22,17 +21,12 @@ JawedTool::JawedTool(const ToolSettings& settings, JawLinks links, Touching touc
 ToolForm JawedTool::form() const {
   ToolForm form = Tool::form();
   form.shapes = Obstacles();
-  double reach = 0;
   for (int g = 0; g < groups(); ++g) {
     form.shapes.links.push_back({links_.name(g), Pose()});
-    for (const DescribedSolid& described : links_.solids(g)) {
+    for (const DescribedSolid& described : links_.solids(g))
       form.shapes.shapes.push_back({described.solid, described.pose, g});
-      const Vec3 middle = composed(groupPose(g, jaw()), described.pose).position;
-      reach = std::max(reach, middle.norm() + described.solid->reach());
-    }
   }
-  form.extent = {Vec3(reach, 0, 0), Vec3(0, reach, 0)};
-  form.has_jaw = true;
+  form.extent = extentOf(form.shapes);
   if (links_.limits()) form.jaw = Range{(*links_.limits())[0], (*links_.limits())[1]};
   return form;
 }

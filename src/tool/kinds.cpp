@@ -18,10 +18,10 @@ KindSettings parsed(const YamlMap& tool) {
 
 const std::vector<ToolKind>& toolKinds() {
   static const std::vector<ToolKind> kinds = {
-      {"blade", {"edge", "cutting_force", "progressive"}, false, parsed<parseBlade>, makeBlade},
-      {"grasper", {"closed", "grip"}, true, parsed<parseGrasper>, makeGrasper},
-      {"probe", {}, false, parsed<parseProbe>, makeProbe},
-      {"scissors", {"cutting_force", "progressive"}, true, parsed<parseScissors>, makeScissors},
+      {"blade", {"edge", "cutting_force", "progressive"}, false, false, parsed<parseBlade>, makeBlade},
+      {"grasper", {"closed", "grip"}, true, true, parsed<parseGrasper>, makeGrasper},
+      {"probe", {}, false, true, [](const YamlMap&) { return KindSettings(ProbeSettings()); }, makeProbe},
+      {"scissors", {"cutting_force", "progressive"}, true, true, parsed<parseScissors>, makeScissors},
   };
   static_assert(std::variant_size_v<KindSettings> == 4, "each alternative has a line above");
   return kinds;

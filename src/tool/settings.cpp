@@ -7,9 +7,9 @@ namespace incision {
 namespace {
 
 const ToolKind& parseKind(const YamlValue& value) {
-  std::map<std::string, std::size_t> kinds;
-  for (std::size_t i = 0; i < toolKinds().size(); ++i) kinds[toolKinds()[i].name] = i;
-  return toolKinds()[value.choice(kinds)];
+  std::map<std::string, const ToolKind*> kinds;
+  for (const ToolKind& kind : toolKinds()) kinds[kind.name] = &kind;
+  return *value.choice(kinds);
 }
 
 /// Which kind an entry says that it is, whatever else it has.
@@ -39,6 +39,8 @@ ToolSettings parseTool(const std::string& name, const YamlValue& value) {
   tool.name = name;
   if (const auto description = map.find("description")) tool.description = description->path();
   if (const auto link = map.find("link")) tool.link = link->text(MAX_NAME);
+  if (kind.needs_description)
+    for (const char* key : {"description", "link"}) map.at(key);
   tool.kind = kind.parse(map);
   parsePosesOf(map, &tool.poses, &tool.poses_file);
   if (const auto frame = map.find("frame")) tool.frame = frame->frame();

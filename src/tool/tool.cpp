@@ -22,16 +22,20 @@ ToolForm Tool::form() const {
   ToolForm form;
   form.groups = groups();
   for (int g = 0; g < form.groups; ++g) form.shapes.links.push_back({settings_.link, Pose()});
-  double reach = 0;
   for (const auto& contact : touching_)
     for (Obstacle shape : contact->shapes().shapes) {
       shape.link = contact->group();
       form.shapes.shapes.push_back(shape);
-      const Pose pose = composed(groupPose(shape.link, tool_.jaw), shape.pose);
-      reach = std::max(reach, pose.position.norm() + shape.solid->reach());
     }
-  form.extent = {Vec3(reach, 0, 0), Vec3(0, reach, 0)};
+  form.extent = extentOf(form.shapes);
   return form;
+}
+
+Edge Tool::extentOf(const Obstacles& shapes) const {
+  double reach = 0;
+  for (const Obstacle& shape : shapes.shapes)
+    reach = std::max(reach, placed(shape.pose.position, groupPose(shape.link, jaw())).norm() + shape.solid->reach());
+  return {Vec3(reach, 0, 0), Vec3(0, reach, 0)};
 }
 
 std::vector<Coupler*> Tool::couplers() {

@@ -70,6 +70,16 @@ TEST(JawLinks, EffortIsWhatAWrenchWouldDoWhileTheAngleGrows) {
   }
 }
 
+TEST(JawLinks, VelocityIsThatOfThePose) {
+  const JawLinks jaws(gripper(), "palm", "jaw");
+  const double h = 1e-5, q = 0.3;
+  const Vec3 own(0.4, -0.2, 0.7);
+  for (int group = 0; group < jaws.groups(); ++group) {
+    const Vec3 moved = placed(own, jaws.pose(group, q + h)) - placed(own, jaws.pose(group, q - h));
+    EXPECT_LT((jaws.velocity(group, placed(own, jaws.pose(group, q))) - moved / (2 * h)).norm(), 1e-9) << group;
+  }
+}
+
 TEST(JawLinks, ClosingGoesRoundTheFirstJawsAxis) {
   const JawLinks jaws(gripper(), "palm", "jaw");
   EXPECT_LT((jaws.closing(Vec3(0.5, 0.2, 1)).normalized() - Vec3::UnitZ()).norm(), 1e-14);
@@ -81,7 +91,7 @@ TEST(JawLinks, OfTheForcepsAreAMillimetreApartAtZeroAndOpenBothWays) {
   ASSERT_EQ(jaws.groups(), 3);
   const auto tip = [&](int group, double z, double q) -> Vec3 {
     const Pose pose = jaws.pose(group, q);
-    return pose.position + pose.orientation * Vec3(0.02, 0, z);
+    return placed(Vec3(0.02, 0, z), pose);
   };
   EXPECT_NEAR(tip(1, 0.0005, 0).z() - tip(2, -0.0005, 0).z(), 0.001, 1e-15);
   EXPECT_NEAR(tip(1, 0.0005, 0.2).z(), -tip(2, -0.0005, 0.2).z(), 1e-15);

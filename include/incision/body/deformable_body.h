@@ -120,7 +120,7 @@ class DeformableBody {
   void guideJaw(double angle, std::size_t tool = 0);
   /// Angle of its joint [rad]; 0 where it has none.
   double toolJaw(std::size_t tool = 0) const;
-  /// What it is made of; its shapes are those that touch: none without contact.
+  /// What it is made of. Without contact a tool that has no jaw tells no shapes.
   ToolForm toolForm(std::size_t tool = 0) const;
   /// Where each of its groups stands in the body's frame; none while the tool is not in place.
   std::vector<Pose> toolGroups(std::size_t tool = 0) const;

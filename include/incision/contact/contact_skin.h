@@ -22,9 +22,13 @@ class ContactSkin {
   const std::vector<Vec3>& x() const { return x_; }  ///< of the vertices [m]
   /// How far they go in the step if nothing new acts [m].
   const std::vector<Vec3>& ahead() const { return ahead_; }
-  /// Whether some vertex may come in the step to within MARGIN elements of a ball round `centre` [m], as far as nothing
-  /// new acts.
-  bool mayMeet(const Vec3& centre, double radius) const { return box_.exteriorDistance(centre) <= radius + room_; }
+  /// How far from a vertex may be what it meets in the step, if that stands still and nothing new acts: its way and the
+  /// MARGIN [m].
+  double room(int vertex) const { return room_[vertex]; }
+  /// Whether a ball round `centre` [m] is near enough to some vertex for that.
+  bool mayMeet(const Vec3& centre, double radius) const {
+    return box_.exteriorDistance(centre) <= radius + largest_room_;
+  }
   int threads() const { return threads_; }
 
   /// Of the surface that was taken over last; 0: none yet.
@@ -38,8 +42,9 @@ class ContactSkin {
   std::uint64_t version_ = 0;
   std::uint64_t placed_for_ = 0;  // serial of the start
   std::vector<Vec3> x_, ahead_;
-  Eigen::AlignedBox3d box_;  // of the vertices when the step starts [m],
-  double room_ = 0;          // and what any of them may go, and its margin [m]
+  std::vector<double> room_;  // of the vertices [m],
+  double largest_room_ = 0;   // and of them all
+  Eigen::AlignedBox3d box_;   // of the vertices when the step starts [m]
 };
 
 }  // namespace incision

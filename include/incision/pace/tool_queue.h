@@ -54,6 +54,9 @@ class ToolQueue {
   std::uint64_t thinned() const { return thinned_; }
 
  private:
+  template <class Value>
+  void thinWhereFull(StampedQueue<Value>* queue);
+
   StampedQueue<ReceivedPose> poses_;
   StampedQueue<ReceivedAngle> jaw_;
   std::uint64_t thinned_ = 0;

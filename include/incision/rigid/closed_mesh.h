@@ -26,11 +26,11 @@ inline constexpr double ALIKE = 1e-6;
 /// screws has a tenth of it.
 inline constexpr int MAX_SHELLS = 1000;
 
-/// The closed surfaces of a mesh. Vertices that are ALIKE are one; triangles are turned
-/// outwards, a cavity too, so that it is filled; what is there twice counts once; sheets that enclose nothing are left
-/// out; a hole is closed by triangles round the mean of its rim. What was mended is said in `remark`, empty where
-/// nothing was. Throws InputError, in words that go on after the mesh's name, when that leaves no solid, too many or
-/// something that has no outside.
+/// The closed surfaces of a mesh. Vertices that are ALIKE are one; triangles are turned outwards, a cavity too, so that
+/// it is filled; what is there twice counts once; sheets that enclose nothing are left out; a hole is closed by
+/// triangles round the mean of its rim. What was mended is said in `remark`, empty where nothing was. Throws
+/// InputError, in words that go on after the mesh's name, when that leaves no solid, too many or something that has no
+/// outside.
 ClosedMesh closeMesh(const TriangleMesh& mesh, std::string* remark);
 
 }  // namespace incision

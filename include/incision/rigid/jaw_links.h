@@ -38,6 +38,9 @@ class JawLinks {
   /// Where a group's frame stands in that of the tool's link while the joint is at `angle`.
   Pose pose(int group, double angle) const;
 
+  /// How a point [m] that goes with a group moves as the angle grows [m/rad], both in the tool's link.
+  Vec3 velocity(int group, const Vec3& point) const;
+
   /// Where a point of the tool's link [m] is driven by a joint of the first jaw that closes: along its axis where the
   /// joint slides, about it where it turns; of any length.
   Vec3 closing(const Vec3& point) const;
@@ -58,6 +61,11 @@ class JawLinks {
     double multiplier = 0, offset = 0;
     Pose origin = {};          // of its frame, the group's own coordinate at 0, in that of the tool's link
     Vec3 axis = Vec3::Zero();  // unit, in that of the tool's link
+
+    /// How a point [m] of the tool's link moves with the group's own coordinate.
+    Vec3 course(const Vec3& point) const {
+      return kind == JointKind::PRISMATIC ? axis : Vec3(axis.cross(point - origin.position));
+    }
   };
   class Builder;
 

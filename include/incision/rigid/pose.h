@@ -37,7 +37,8 @@ Pose inverse(const Pose& pose);
 /// The pose a share `s`, from 0 to 1, of the even way from `a` to `b`.
 Pose between(const Pose& a, const Pose& b, double s);
 
-/// The edge carried to a pose.
+/// A point, or an edge, of a frame [m] in the outer one, in which the frame stands at `pose`.
+inline Vec3 placed(const Vec3& point, const Pose& pose) { return pose.position + pose.orientation * point; }
 Edge placed(const Edge& edge, const Pose& pose);
 
 /// The point of the edge that is nearest to `point`.

@@ -53,6 +53,7 @@ class CommandInput {
   template <class Message, class Receive>
   void subscribe(ros::NodeHandle& node, const std::string& topic, Receive receive);
   void subscribeToTool(ros::NodeHandle& node, int tool, const ToolSettings& settings, const ToolForm& form);
+  Nanoseconds timeOf(Nanoseconds stamp, SteadyTime received) const;
   void accept(const Command& command);
   void release(const Command& command);
   void refuse(const Command& command, const Refused& refused);

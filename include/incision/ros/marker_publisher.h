@@ -82,7 +82,6 @@ class MarkerPublisher {
   const Obstacles obstacles_;
   const ContactNames contact_names_;
   std::chrono::nanoseconds period_;
-  std::vector<std::string> tool_names_;
   std::vector<ToolForm> tool_forms_;
   ros::Publisher body_publisher_, cloud_publisher_, contact_publisher_, obstacle_publisher_, tool_publisher_;
   SteadyTime next_;

@@ -26,7 +26,7 @@ class JawedTool : public Tool {
 JawLinks jawLinksOf(const ToolSettings& settings, const Description& description);
 
 /// What of each group touches with the tool's friction; empty where nothing touches. `edges` of the groups, from the
-/// first on, as far as they have one. Throws InputError where there are too many shapes.
+/// first on, as far as they have one.
 Touching jawTouching(const ToolSettings& settings, const JawLinks& links, const std::vector<std::optional<Edge>>& edges,
                      ContactSkin* skin);
 

@@ -25,6 +25,7 @@ struct ToolKind {
   std::string name;               ///< its `type` in a scene
   std::vector<std::string> keys;  ///< that its tools have beside those of all tools
   bool has_jaw;                   ///< it opens and closes
+  bool needs_description;         ///< the keys `description` and `link` must be there
   KindSettings (*parse)(const YamlMap& tool);
   /// `description` has no links where the settings name none. Throws InputError when it does not go with the settings.
   std::unique_ptr<Tool> (*make)(const ToolSettings& settings, const Description& description,

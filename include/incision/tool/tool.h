@@ -38,11 +38,17 @@ void serialize(Archive& archive, ToolMemory& memory) {
 using Touching = std::vector<std::unique_ptr<ToolContact>>;
 
 /// A rigid instrument that another node moves, or two of them on a joint: it owns its pose, its path and all that its
-/// kind does on the way. Each kind is a class derived from this one.
+/// kind does on the way. Each kind that does more than touch is a class derived from this one, which overrides the
+/// functions of its memory where it has more of that.
 class Tool : public Remembers {
  public:
   /// `touching`: contacts of its groups, where it touches the body.
   Tool(const ToolSettings& settings, Touching touching);
+
+  std::any keep() const override { return tool_; }
+  void recall(const std::any& kept) override { tool_ = std::any_cast<const ToolMemory&>(kept); }
+  void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<ToolMemory>(kept, archive); }
+  std::any read(ArchiveReader* archive) const override { return readKept<ToolMemory>(archive); }
 
   const ToolSettings& settings() const { return settings_; }
   const std::optional<Pose>& pose() const { return tool_.pose; }
@@ -102,6 +108,9 @@ class Tool : public Remembers {
   /// The poses of each group in the step, from that at which it starts; each takes as long as any other. One alone
   /// where nothing moves.
   const std::vector<std::vector<Pose>>& ways() const { return ways_; }
+
+  /// Two points of the link that are as far as any shape reaches while the joint is where it is.
+  Edge extentOf(const Obstacles& shapes) const;
 
   ToolMemory tool_;
   ToolInStep in_step_;

@@ -17,11 +17,10 @@ struct ToolForm {
     Edge edge;
   };
   int groups = 1;
-  Obstacles shapes;  ///< whether they touch or not; the link of each is its group
+  Obstacles shapes;  ///< the link of each is its group
   std::vector<GroupEdge> edges;
   Edge extent = {Vec3::Zero(), Vec3::Zero()};  ///< two points of its link: hardly anything of it moves farther
-  bool has_jaw = false;
-  Range jaw;  ///< where its joint can go [rad]
+  Range jaw;                                   ///< where its joint can go, if it has one [rad]
 };
 
 }  // namespace incision

@@ -26,12 +26,7 @@ const std::vector<Vec3>& positionsBefore(double rest, const Motion& motion, std:
 
 WorkingEdges::WorkingEdges(std::string label, const std::vector<EdgeOfTool>& edges, bool progressive, ToolInStep* tool,
                            Ties* ties, const Materials& materials, const CutMesh& mesh)
-    : label_(std::move(label)),
-      edges_(edges),
-      tool_(tool),
-      materials_(materials),
-      ties_(*ties),
-      stroke_(progressive, edges.size()) {
+    : label_(std::move(label)), edges_(edges), tool_(tool), materials_(materials), ties_(*ties), stroke_(progressive) {
   for (const EdgeOfTool& edge : edges_) resistances_.emplace_back(edge, tool, *ties, stroke_, materials, mesh);
 }
 

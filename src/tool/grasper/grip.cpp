@@ -13,10 +13,6 @@ constexpr double GRIP_STIFFNESS = 20;
 /// Points that stand for what is held: no more than a few in an element, and each a sixtieth of the force.
 constexpr std::size_t MOST_POINTS = 64;
 
-/// Δt² k over the mass that resists all springs at a place. A spring beyond that acts as if it were rigid, and only
-/// makes the step hard to settle.
-constexpr double STIFFEST = 10;
-
 }  // namespace
 
 Grip::Grip(double largest, const Mouth& mouth, ToolInStep* tool, const Materials& materials, const CutMesh& mesh)
@@ -52,10 +48,10 @@ bool Grip::begin(const StepStart& start, std::vector<Spring>* springs) {
     Pull& pull = pulls_[static_cast<std::size_t>(i)];
     // A spring that gets stiffer keeps its energy.
     const double kept = grip.stiffness > 0 ? std::sqrt(std::min(1.0, grip.stiffness / pull.stiffness)) : 1;
-    const Vec3 slip = carried(grip.end, from) - weightedSum(own[i], start.motion.x);
+    const Vec3 slip = placed(grip.end, from) - weightedSum(own[i], start.motion.x);
     pull.slip = kept * slip;
     pull.end = grip.end - from.orientation.conjugate() * (slip - pull.slip);
-    pull.drift = carried(pull.end, to) - carried(pull.end, from);
+    pull.drift = placed(pull.end, to) - placed(pull.end, from);
   }
   return true;
 }
@@ -118,7 +114,7 @@ void Grip::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& en
     if (!trial.slips) continue;
     grip.end = grip.anchor;
     slipping_.push_back(i);
-    slipped_to_.push_back(carried(grip.anchor, link) - trial.secant / grip.stiffness * trial.slip);
+    slipped_to_.push_back(placed(grip.anchor, link) - trial.secant / grip.stiffness * trial.slip);
   }
   if (!slipping_.empty()) letSlip(end.x);
 }

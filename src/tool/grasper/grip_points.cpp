@@ -10,7 +10,7 @@ namespace {
 /// The mouth as it stands in the body's frame.
 struct PlacedMouth {
   PlacedMouth(const Mouth& mouth, const Pose& link) : room(mouth), to_link(inverse(link)) {
-    for (const Vec3& point : mouth.points()) points.push_back(carried(point, link));
+    for (const Vec3& point : mouth.points()) points.push_back(placed(point, link));
     for (const Vec3& point : points) box.extend(point);
   }
 
@@ -46,7 +46,7 @@ std::vector<GripPoint> ofSmallPieces(const std::vector<GripPoint>& met, const Pl
     const Part& part = mesh.parts()[p];
     if (is_met[pieceOf(p)] || !boxOf(part, x).intersects(mouth.box)) continue;
     const Barycentric middle = mesh.centroid(p);
-    const Vec3 anchor = carried(at(part, middle, x), mouth.to_link);
+    const Vec3 anchor = placed(at(part, middle, x), mouth.to_link);
     if (mouth.room.isBetween(anchor)) points.push_back(heldAt(anchor, {part.element, middle, p}));
   }
   return points;

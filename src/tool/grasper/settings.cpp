@@ -5,8 +5,6 @@
 namespace incision {
 
 GrasperSettings parseGrasper(const YamlMap& tool) {
-  tool.at("description");
-  tool.at("link");
   GrasperSettings grasper;
   grasper.closed = tool.at("closed").number();
   grasper.grip = tool.at("grip").number(POSITIVE);

@@ -9,7 +9,7 @@ std::unique_ptr<Tool> makeProbe(const ToolSettings& settings, const Description&
   if (description.link(settings.link).solids.empty())
     throw InputError(linkInMessage(description.name, settings.link) + " has no collision shape: the probe '" +
                      settings.name + "' would touch nothing");
-  return std::make_unique<Probe>(settings, linkTouching(settings, description, std::nullopt, surroundings.skin));
+  return std::make_unique<Tool>(settings, linkTouching(settings, description, std::nullopt, surroundings.skin));
 }
 
 }  // namespace incision

@@ -9,9 +9,6 @@
 namespace incision {
 namespace {
 
-/// Turn of the joint by which its direction is found [rad].
-constexpr double SMALL_TURN = 1e-4;
-
 /// A blade's box while the joint is at 0, in the frame of the tool's link.
 struct BladeBox {
   int group;
@@ -54,17 +51,6 @@ std::optional<BladeBox> bladeOfLink(const JawLinks& links, const BladeBox& other
   return blade;
 }
 
-/// How a point of a group, given in the frame of the tool's link while the joint is at 0, goes when that closes.
-Vec3 closing(const JawLinks& links, int group, const Vec3& point) {
-  const auto [position, orientation] = links.pose(group, 0);
-  const Vec3 own = orientation.conjugate() * (point - position);
-  const auto at = [&](double angle) {
-    const Pose pose = links.pose(group, angle);
-    return Vec3(pose.position + pose.orientation * own);
-  };
-  return at(-SMALL_TURN) - at(SMALL_TURN);
-}
-
 /// The line along the middle of the long face of a box that leads in a direction.
 Edge leadingEdge(const BladeBox& box, const Vec3& direction) {
   int face = (box.length + 1) % 3;
@@ -90,7 +76,7 @@ ScissorEdges scissorEdges(const JawLinks& links, const std::string& where) {
   Vec3 across = Vec3::Zero();  // the plane in which they cut
   for (int i = 0; i < 2; ++i) {
     const Vec3& middle = boxes[i]->middle;
-    const Vec3 towards = closing(links, boxes[i]->group, middle) - closing(links, boxes[1 - i]->group, middle);
+    const Vec3 towards = links.velocity(boxes[1 - i]->group, middle) - links.velocity(boxes[i]->group, middle);
     edges[i] = leadingEdge(*boxes[i], towards);
     if (i == 0) across = boxes[i]->along().cross(towards).stableNormalized();
   }

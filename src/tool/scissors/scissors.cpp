@@ -21,39 +21,14 @@ std::vector<EdgeOfTool> edgesOf(const ToolSettings& settings, const ScissorEdges
 
 Scissors::Scissors(const ToolSettings& settings, JawLinks links, const ScissorEdges& edges,
                    const ToolSurroundings& surroundings, Touching touching)
-    : JawedTool(settings, std::move(links), std::move(touching)),
-      closed_(this->links().limits() ? (*this->links().limits())[0] : 0),
-      edges_(settings.name, edgesOf(settings, edges), std::get<ScissorsSettings>(settings.kind).progressive, &in_step_,
-             &surroundings.ties, surroundings.materials, surroundings.mesh) {}
-
-ToolForm Scissors::form() const {
-  ToolForm form = JawedTool::form();
-  for (const EdgeOfTool& edge : edges_.edges()) form.edges.push_back({edge.group, edge.edge});
-  return form;
-}
-
-std::vector<Coupler*> Scissors::couplers() {
-  std::vector<Coupler*> list = Tool::couplers();
-  edges_.addCouplers(&list);
-  return list;
-}
-
-void Scissors::recall(const std::any& kept) {
-  const auto& memory = std::any_cast<const ScissorsMemory&>(kept);
-  tool_ = memory.tool;
-  edges_.recall(memory.edges);
-}
-
-ToolReport Scissors::report() const {
-  ToolReport report = JawedTool::report();
-  if (pose()) edges_.addTo(&report);
-  return report;
-}
+    : CuttingTool(edgesOf(settings, edges), std::get<ScissorsSettings>(settings.kind).progressive, surroundings,
+                  settings, std::move(links), std::move(touching)),
+      closed_(this->links().limits() ? (*this->links().limits())[0] : 0) {}
 
 void Scissors::start(const std::vector<Vec3>& x) {
   const bool opens = in_step_.jaw_to > in_step_.jaw_from, is_closed = in_step_.jaw_from <= closed_;
   if (opens || is_closed) in_step_.active = false;
-  if (in_step_.active) edges_.start(x);
+  if (in_step_.active) CuttingTool::start(x);
 }
 
 std::unique_ptr<Tool> makeScissors(const ToolSettings& settings, const Description& description,

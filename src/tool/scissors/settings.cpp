@@ -5,8 +5,6 @@
 namespace incision {
 
 ScissorsSettings parseScissors(const YamlMap& tool) {
-  tool.at("description");
-  tool.at("link");
   ScissorsSettings scissors;
   scissors.cutting_force = tool.number("cutting_force", scissors.cutting_force, NOT_NEGATIVE);
   if (const auto progressive = tool.find("progressive")) scissors.progressive = progressive->boolean();

@@ -134,7 +134,7 @@ TEST(BladeEdge, FormatsInTheTextAreNotPrinted) {
 TEST(BladeEdge, CarriedToAPoseItIsTurnedThenMoved) {
   const double s = std::sqrt(0.5);
   const Pose pose = {Vec3(1, 2, 3), Eigen::Quaterniond(s, 0, 0, s)};  // a quarter turn round z
-  const Edge edge = placed({Vec3(0, 0, 0), Vec3(1, 0, 0)}, pose);
+  const Edge edge = placed(Edge{Vec3(0, 0, 0), Vec3(1, 0, 0)}, pose);
   EXPECT_EQ(edge[0], Vec3(1, 2, 3));
   EXPECT_LT((edge[1] - Vec3(1, 3, 3)).norm(), 4 * ROUNDING);
 }

@@ -24,7 +24,7 @@ namespace incision {
 class Stroke {
  public:
   /// Without `progressive` it cuts elements whole, and nothing of them is tied.
-  Stroke(bool progressive, std::size_t edges) : progressive_(progressive), start_edges_(edges) {}
+  explicit Stroke(bool progressive) : progressive_(progressive) {}
 
   /// Another stroke begins with the next start.
   void restart();

@@ -21,11 +21,6 @@ class Grasper : public JawedTool {
   std::vector<Coupler*> couplers() override;
   ToolReport report() const override;
 
-  std::any keep() const override { return tool_; }
-  void recall(const std::any& kept) override { tool_ = std::any_cast<const ToolMemory&>(kept); }
-  void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<ToolMemory>(kept, archive); }
-  std::any read(ArchiveReader* archive) const override { return readKept<ToolMemory>(archive); }
-
  protected:
   std::optional<CutResult> act(double time_step, const Motion& motion, MeshDoor* door) override;
   std::optional<CutResult> interrupt() override;

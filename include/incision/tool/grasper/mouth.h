@@ -8,9 +8,6 @@
 
 namespace incision {
 
-/// Where a point of a frame [m] is in the outer one, in which the frame stands at `pose`.
-inline Vec3 carried(const Vec3& point, const Pose& pose) { return pose.position + pose.orientation * point; }
-
 /// The room between two jaws while their joint is at one angle, in the frame of the tool's link. A point is in it when
 /// it comes upon one jaw on the way on which the jaws close, and upon the other on the way back:
 ///
