@@ -1,5 +1,4 @@
 // How a body is saved and restored.
-#include <istream>
 #include <ostream>
 
 #include "body_state.h"
@@ -43,14 +42,11 @@ void DeformableBody::save(std::ostream& out) const {
   state_->write(state_->keep(), &archive);
 }
 
-void DeformableBody::restore(std::istream& in) {
-  BodyMemory memory;
-  try {
-    ArchiveReader archive(in);
-    memory = state_->read(&archive);
-  } catch (const cereal::Exception&) {
-    throw InputError("the bytes of the saved body end early");
-  }
+void DeformableBody::restore(std::string_view bytes) {
+  ArchiveReader archive(bytes);
+  const BodyMemory memory = state_->read(&archive);
+  if (archive.left() > 0)
+    throw InputError("the saved body is followed by " + std::to_string(archive.left()) + " bytes");
   state_->recall(memory);
 }
 

@@ -24,8 +24,7 @@ std::string bytesOf(const DeformableBody& body) {
 }
 
 void restore(DeformableBody* body, const std::string& bytes) {
-  std::istringstream in(bytes);
-  body->restore(in);
+  body->restore(bytes);
 }
 
 /// A scene, and what is done to its body before a step.
