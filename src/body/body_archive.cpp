@@ -32,9 +32,35 @@ BodyMemory DeformableBody::State::read(ArchiveReader* archive) const {
                      std::to_string(own[1]));
   BodyMemory memory;
   (*archive)(memory);
+  archive->limits = mesh.check(memory.mesh);
+  archive->limits.regions = static_cast<int>(scene.body.regions.size()) + 1;
+  check(memory, archive->limits);
   memory.step.couplers = couplers.read(archive);
   for (const auto& tool : tools) memory.step.tools.push_back(tool->read(archive));
   return memory;
+}
+
+void DeformableBody::State::check(const BodyMemory& memory, const MemoryLimits& limits) const {
+  using incision::check;
+  // Beyond this a count of steps is no longer exact as a time.
+  constexpr std::int64_t LAST = std::int64_t{1} << 53;
+  require(memory.steps >= 0 && memory.steps < LAST, "it has taken steps that nobody can count");
+  require(memory.unsettled_steps >= 0 && memory.unsettled_steps <= memory.steps,
+          "it has settled in less than no steps");
+  require(memory.fractured_steps >= 0 && memory.fractured_steps <= memory.steps + 1, "it breaks at another step");
+  require(memory.cuts_done <= cuts.size(), "it has done more cuts than the scene has");
+  require(memory.growth.has_value() == growth.has_value(), "it breaks otherwise than the scene says");
+  if (memory.growth) check(*memory.growth, limits);
+  require(memory.obstacles.size() == obstacles.links.size(), "its obstacles are others");
+  for (const RigidMotion& link : memory.obstacles) check(link, limits);
+  require(memory.clamps.size() == scene.boundary.size(), "its clamps are others");
+  for (const ClampMotion& clamp : memory.clamps) {
+    if (clamp.first) check(*clamp.first, limits);
+    check(clamp.in_step, limits);
+  }
+  check(memory.step.motion, limits);
+  check(memory.step.step, limits);
+  check(memory.step.last_steps, limits);
 }
 
 void DeformableBody::save(std::ostream& out) const {

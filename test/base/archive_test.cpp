@@ -79,11 +79,25 @@ TEST(Archive, RefusesAnotherOrderOfBytes) {
   EXPECT_THROW(readBack<double>(bytes), InputError);
 }
 
+struct Count {
+  int count = 0;
+};
+
+template <class Archive>
+void serialize(Archive& archive, Count& memory) {
+  auto& [count] = memory;
+  archive(count);
+}
+
+void check(const Count& memory, const MemoryLimits& limits) {
+  require(memory.count <= limits.nodes, "it counts too far");
+}
+
 /// Something with a memory.
-class Counter : public WithMemory<Remembers, int> {
+class Counter : public WithMemory<Remembers, Count> {
  public:
-  void count() { ++memory_; }
-  int counted() const { return memory_; }
+  void count() { ++memory_.count; }
+  int counted() const { return memory_.count; }
 };
 
 TEST(Memory, IsRecalledAsItWasWritten) {
@@ -96,7 +110,14 @@ TEST(Memory, IsRecalledAsItWasWritten) {
   }
   one.count();
   const std::string written = bytes.str();
+  EXPECT_THROW(
+      {
+        ArchiveReader archive(written);
+        other.read(&archive);
+      },
+      InputError);
   ArchiveReader archive(written);
+  archive.limits.nodes = 1;
   const std::any kept = other.read(&archive);
   EXPECT_EQ(other.counted(), 0);
   other.recall(kept);

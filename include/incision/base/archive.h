@@ -19,6 +19,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
+
 /// Bytes that values are written to and read from. What belongs to a struct is said beside it by
 ///
 ///   template <class Archive>
@@ -38,6 +40,9 @@ class ArchiveReader : public cereal::InputArchive<ArchiveReader, cereal::AllowEm
  public:
   /// The bytes must outlive this.
   explicit ArchiveReader(std::string_view bytes);
+
+  /// What is read next is checked against these.
+  MemoryLimits limits;
 
   /// How many bytes are still to be read.
   std::size_t left() const { return left_.size(); }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "incision/base/memory_limits.h"
 #include "incision/tool/blade/working_edges.h"
 #include "incision/tool/kinds.h"
 
@@ -19,6 +20,8 @@ void serialize(Archive& archive, BladeMemory& memory) {
   archive(tool, edge);
 }
 
+void check(const BladeMemory& memory, const MemoryLimits& limits);
+
 /// A tool with a cutting edge: what that sweeps is cut, and the shapes of its link push.
 class Blade : public Tool {
  public:
@@ -34,7 +37,7 @@ class Blade : public Tool {
   std::any keep() const override { return BladeMemory{tool_, edge_.keep()}; }
   void recall(const std::any& kept) override;
   void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<BladeMemory>(kept, archive); }
-  std::any read(ArchiveReader* archive) const override { return readKept<BladeMemory>(archive); }
+  std::any read(ArchiveReader* archive) const override;
 
  protected:
   void start(const std::vector<Vec3>& x) override { edge_.start(x); }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "incision/base/memory_limits.h"
 #include "incision/tool/blade/working_edges.h"
 #include "incision/tool/jawed_tool.h"
 #include "incision/tool/kinds.h"
@@ -21,6 +22,8 @@ void serialize(Archive& archive, ScissorsMemory& memory) {
   archive(tool, edges);
 }
 
+void check(const ScissorsMemory& memory, const MemoryLimits& limits);
+
 /// Two blades on a joint, whose edges cut what lies between them. Where the joint opens, and while it is closed as far
 /// as it goes, they only touch: so they spread tissue, and can be led into it.
 class Scissors : public JawedTool {
@@ -35,7 +38,7 @@ class Scissors : public JawedTool {
   std::any keep() const override { return ScissorsMemory{tool_, edges_.keep()}; }
   void recall(const std::any& kept) override;
   void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<ScissorsMemory>(kept, archive); }
-  std::any read(ArchiveReader* archive) const override { return readKept<ScissorsMemory>(archive); }
+  std::any read(ArchiveReader* archive) const override;
 
  protected:
   void start(const std::vector<Vec3>& x) override;
