@@ -80,6 +80,8 @@ endfunction()
 foreach(stage IN LISTS STAGES)
   incision_stage_tests(${stage} incision)
 endforeach()
+# Some of these run the program.
+add_dependencies(incision_run_tests incision_batch)
 if(INCISION_ROS)
   incision_stage_tests(ros incision_ros)
   include(incision_rostests)

@@ -1,5 +1,4 @@
 // How a body is saved and restored.
-#include <istream>
 #include <ostream>
 
 #include "body_state.h"
@@ -33,9 +32,35 @@ BodyMemory DeformableBody::State::read(ArchiveReader* archive) const {
                      std::to_string(own[1]));
   BodyMemory memory;
   (*archive)(memory);
+  archive->limits = mesh.check(memory.mesh);
+  archive->limits.regions = static_cast<int>(scene.body.regions.size()) + 1;
+  check(memory, archive->limits);
   memory.step.couplers = couplers.read(archive);
   for (const auto& tool : tools) memory.step.tools.push_back(tool->read(archive));
   return memory;
+}
+
+void DeformableBody::State::check(const BodyMemory& memory, const MemoryLimits& limits) const {
+  using incision::check;
+  // Beyond this a count of steps is no longer exact as a time.
+  constexpr std::int64_t LAST = std::int64_t{1} << 53;
+  require(memory.steps >= 0 && memory.steps < LAST, "it has taken steps that nobody can count");
+  require(memory.unsettled_steps >= 0 && memory.unsettled_steps <= memory.steps,
+          "it has settled in less than no steps");
+  require(memory.fractured_steps >= 0 && memory.fractured_steps <= memory.steps + 1, "it breaks at another step");
+  require(memory.cuts_done <= cuts.size(), "it has done more cuts than the scene has");
+  require(memory.growth.has_value() == growth.has_value(), "it breaks otherwise than the scene says");
+  if (memory.growth) check(*memory.growth, limits);
+  require(memory.obstacles.size() == obstacles.links.size(), "its obstacles are others");
+  for (const RigidMotion& link : memory.obstacles) check(link, limits);
+  require(memory.clamps.size() == scene.boundary.size(), "its clamps are others");
+  for (const ClampMotion& clamp : memory.clamps) {
+    if (clamp.first) check(*clamp.first, limits);
+    check(clamp.in_step, limits);
+  }
+  check(memory.step.motion, limits);
+  check(memory.step.step, limits);
+  check(memory.step.last_steps, limits);
 }
 
 void DeformableBody::save(std::ostream& out) const {
@@ -43,14 +68,11 @@ void DeformableBody::save(std::ostream& out) const {
   state_->write(state_->keep(), &archive);
 }
 
-void DeformableBody::restore(std::istream& in) {
-  BodyMemory memory;
-  try {
-    ArchiveReader archive(in);
-    memory = state_->read(&archive);
-  } catch (const cereal::Exception&) {
-    throw InputError("the bytes of the saved body end early");
-  }
+void DeformableBody::restore(std::string_view bytes) {
+  ArchiveReader archive(bytes);
+  const BodyMemory memory = state_->read(&archive);
+  if (archive.left() > 0)
+    throw InputError("the saved body is followed by " + std::to_string(archive.left()) + " bytes");
   state_->recall(memory);
 }
 

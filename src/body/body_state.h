@@ -91,6 +91,7 @@ struct DeformableBody::State {
   void recall(const BodyMemory& memory);
   void write(const BodyMemory& memory, ArchiveWriter* archive) const;
   BodyMemory read(ArchiveReader* archive) const;
+  void check(const BodyMemory& memory, const MemoryLimits& limits) const;
   std::array<std::int64_t, 7> outline() const;
 
   std::vector<int> pieceOf(int* pieces) const;

@@ -19,6 +19,7 @@
 #include "incision/run/run_summary.h"
 #include "incision/run/snapshot.h"
 #include "incision/run/snapshot_series.h"
+#include "incision/run/state_file.h"
 #include "incision/scene/scene.h"
 
 namespace incision {
@@ -43,6 +44,10 @@ Runs a scene and ends with one line of JSON on standard output.
   --volume END.vtu   the parts, likewise, with their displacements and regions
   --series RUN.pvd   both at the start, after every so many steps, and at the end
   --every N          how many steps for --series (default 10)
+  --save END.state   all that outlasts the last step, to go on from
+  --restore START.state
+                     goes on where --save has left off with the same scene;
+                     --steps counts from there
   --help             this text
 
 Ctrl-C ends the run after the current step, outputs included.
@@ -80,6 +85,7 @@ struct Outputs {
   std::optional<RunRecord> record;
   std::optional<SnapshotSeries> series;
   std::optional<std::ofstream> positions, snapshot, volume;
+  std::optional<StateFile> state;
 };
 
 // Opened before the run, so that hours of it are not lost to a misspelt folder.
@@ -90,6 +96,7 @@ Outputs openOutputs(const BatchOptions& options, const DeformableBody& body) {
   if (!options.snapshot.empty()) outputs.snapshot = openOutput(options.snapshot);
   if (!options.volume.empty()) outputs.volume = openOutput(options.volume);
   if (!options.series.empty()) outputs.series.emplace(options.series, options.every);
+  if (!options.save.empty()) outputs.state.emplace(options.save);
   return outputs;
 }
 
@@ -104,10 +111,11 @@ void reportCuts(const std::vector<CutResult>& cuts, double time, std::ostream& e
 // Whether all steps could be taken.
 bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outputs, StepStatistics& statistics,
                std::ostream& err) {
-  Progress progress(err, options.steps);
+  const std::int64_t last = body.steps() + options.steps;
+  Progress progress(err, last);
   if (outputs.series) outputs.series->add(body);
   try {
-    while (body.steps() < options.steps && !stop_asked) {
+    while (body.steps() < last && !stop_asked) {
       const double time = body.time();
       const StepResult step = body.step();
       statistics.add(step);
@@ -124,6 +132,19 @@ bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outpu
     return false;
   }
   return true;
+}
+
+// Whether the body reached its file.
+bool saveState(const BatchOptions& options, const DeformableBody& body, const SceneKey& key, Outputs& outputs,
+               std::ostream& err) {
+  if (!outputs.state) return true;
+  try {
+    outputs.state->save(body, key);
+    return true;
+  } catch (const std::exception& error) {  // of the disk, or of memory
+    err << "incision_batch: " << printable(options.save) << ": could not be written: " << error.what() << std::endl;
+    return false;
+  }
 }
 
 // Whether everything reached its file.
@@ -157,7 +178,11 @@ BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& er
   const Scene scene = loadScene(options.scene, options.overrides);
   std::vector<std::string> notes;
   TetMesh mesh = loadMesh(scene, &notes);
-  DeformableBody body(scene, std::move(mesh), loadDescriptions(scene));
+  const Descriptions descriptions = loadDescriptions(scene);
+  DeformableBody body(scene, std::move(mesh), descriptions);
+  const bool keyed = !options.restore.empty() || !options.save.empty();
+  const SceneKey key = keyed ? keyOf(body, descriptions) : SceneKey();
+  if (!options.restore.empty()) restoreState(options.restore, key, &body);
   for (const std::string& remark : remarksOn(body.scene(), body.mesh())) notes.push_back("warning: " + remark);
   for (const std::string& remark : remarksOnShapes(body)) notes.push_back("warning: " + remark);
   body.wantWrenches(!options.record.empty());
@@ -166,9 +191,10 @@ BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& er
   for (const std::string& note : notes) err << "incision_batch: " << note << std::endl;
   StepStatistics statistics;
   const bool stepped = takeSteps(options, body, outputs, statistics, err);
+  const bool saved = saveState(options, body, key, outputs, err);
   const bool written = writeOutputs(options, body, outputs, err);
   out << summaryLine(body, statistics) << std::endl;
-  return stepped && written && out ? BatchStatus::DONE : BatchStatus::FAILED;
+  return stepped && saved && written && out ? BatchStatus::DONE : BatchStatus::FAILED;
 }
 
 }  // namespace

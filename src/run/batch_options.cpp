@@ -34,6 +34,8 @@ std::map<std::string, Taker> optionTakers(BatchOptions& options) {
           {"--positions", [&](const std::string& value) { options.positions = value; }},
           {"--snapshot", [&](const std::string& value) { options.snapshot = value; }},
           {"--volume", [&](const std::string& value) { options.volume = value; }},
+          {"--restore", [&](const std::string& value) { options.restore = value; }},
+          {"--save", [&](const std::string& value) { options.save = value; }},
           {"--series", [&](const std::string& value) { options.series = value; }},
           {"--every", [&](const std::string& value) { options.every = parseSteps("--every", 1, value); }}};
 }

@@ -30,8 +30,11 @@ void CoarseSpace::topologyChanged(const BlockPattern& pattern, const Aggregates&
   findUnknowns();
 }
 
+/// Blocks that are none of these aggregates are not taken over: then last digits may differ.
 void CoarseSpace::recallSpringBlocks(const std::vector<std::pair<int, int>>& blocks) {
   if (extra_ == blocks) return;
+  for (const auto& [row, column] : blocks)
+    if (row >= aggregates_->count() || column >= row) return;
   extra_ = blocks;
   findBlocks();
   findUnknowns();
@@ -50,7 +53,8 @@ void CoarseSpace::findBlocks() {
         seen[J] = I;
         columns_.append(J);
       }
-    for (; extra != extra_.end() && extra->first == I; ++extra) columns_.append(extra->second);
+    for (; extra != extra_.end() && extra->first == I; ++extra)
+      if (seen[extra->second] != I) columns_.append(extra->second);
     std::sort(columns_.unfinished().begin(), columns_.unfinished().end());
     columns_.finish();
   }

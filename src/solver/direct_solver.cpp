@@ -45,9 +45,15 @@ void DirectSolver::keep(SolverMemory* memory) const {
   memory->idle = idle_;
 }
 
+/// Blocks that are no extra ones of this matrix are not taken over: then last digits may differ.
 void DirectSolver::recall(const SolverMemory& memory) {
   idle_ = memory.idle;
   if (extra_ == memory.blocks) return;
+  for (const auto& [row, column] : memory.blocks) {
+    if (row >= pattern_.rows() || column >= pattern_.rows() || column <= row) return;
+    const auto begin = pattern_.column.begin();
+    if (std::binary_search(begin + pattern_.row_start[row], begin + pattern_.row_start[row + 1], column)) return;
+  }
   extra_ = memory.blocks;
   analyse();
 }

@@ -23,10 +23,7 @@ std::string bytesOf(const DeformableBody& body) {
   return bytes.str();
 }
 
-void restore(DeformableBody* body, const std::string& bytes) {
-  std::istringstream in(bytes);
-  body->restore(in);
-}
+void restore(DeformableBody* body, const std::string& bytes) { body->restore(bytes); }
 
 /// A scene, and what is done to its body before a step.
 struct Case {

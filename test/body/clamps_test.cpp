@@ -230,9 +230,9 @@ TEST(PosedClamps, AreSavedWithTheirFirstPoseAndTheirWay) {
   one.placeClamp(0, turningFrame(0));
   run(&one, 2);
   one.moveClamp(0, turningFrame(0.03));
-  std::stringstream bytes;
+  std::ostringstream bytes;
   one.save(bytes);
-  other.restore(bytes);
+  other.restore(bytes.str());
   for (DeformableBody* each : {&one, &other}) {
     each->step();
     each->moveClamp(0, turningFrame(0.05));

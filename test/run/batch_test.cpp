@@ -275,8 +275,8 @@ TEST_F(Batch, FullDiskIsStatusOneAndStillReports) {
 
 TEST_F(Batch, HelpNamesEveryOption) {
   EXPECT_EQ(run({"--help"}), BatchStatus::DONE);
-  for (const char* option :
-       {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot", "--volume", "--series", "--every"}) {
+  for (const char* option : {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot", "--volume",
+                             "--series", "--every", "--save", "--restore"}) {
     EXPECT_NE(out_.str().find(option), std::string::npos) << option;
   }
 }

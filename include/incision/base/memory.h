@@ -23,7 +23,8 @@ class Remembers {
   /// Writes a memory that keep() has returned.
   virtual void write(const std::any& kept, ArchiveWriter* archive) const = 0;
 
-  /// Reads what write() of an object of this type has written: a memory to recall.
+  /// Reads what write() of an object of this type has written: a memory to recall. Throws InputError where it cannot be
+  /// one of a body with the reader's limits.
   virtual std::any read(ArchiveReader* archive) const = 0;
 };
 
@@ -36,6 +37,7 @@ template <class Memory>
 std::any readKept(ArchiveReader* archive) {
   Memory memory;
   (*archive)(memory);
+  check(memory, archive->limits);  // which stands beside the memory
   return memory;
 }
 

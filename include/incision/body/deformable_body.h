@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "incision/base/short_list.h"
@@ -155,7 +156,7 @@ class DeformableBody {
   /// Goes on where the body stood that was saved, as if it had never been saved, down to the last digit. Reports that
   /// wait to be taken are lost. Throws InputError, with nothing changed, when the bytes end early or are those of a
   /// body of another mesh or with other parts.
-  void restore(std::istream& in);
+  void restore(std::string_view bytes);
 
   const Scene& scene() const;
   const CutMesh& mesh() const;

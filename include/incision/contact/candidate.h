@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/contact/contact_surface.h"
 #include "incision/solver/spring.h"
 #include "incision/surface/surface.h"
@@ -76,6 +77,8 @@ void serialize(Archive& archive, Touch& touch) {
   archive(sample, partner, other, gap, ignored, worked_off, stiffness, tangential, slip, normal_in_solid, vertex,
           sample_of_vertex, other_vertex, edge_of_other);
 }
+
+void check(const std::vector<Touch>& touches, const MemoryLimits& limits);
 
 /// Contacts are in the order of their partners, and then of their samples.
 template <typename T, typename U>

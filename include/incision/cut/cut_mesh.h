@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/cut/crack.h"
 #include "incision/cut/face_polygon.h"
 #include "incision/cut/part.h"
@@ -145,6 +146,9 @@ class CutMesh {
     int num_cracks = 0;
   };
   Memory keep() const { return {parts_, details_, copy_node_, copy_parent_, own_copy_, num_cracks_}; }
+  /// Throws InputError where a memory cannot be one of this mesh. Returns what other memories that go with it number,
+  /// but for regions.
+  MemoryLimits check(const Memory& memory) const;
   /// Puts back what was kept of this mesh.
   void recall(const Memory& memory);
 

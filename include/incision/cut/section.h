@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/cut/cut_mesh.h"
 #include "incision/cut/point.h"
 
@@ -21,6 +22,8 @@ void serialize(Archive& archive, Section& section) {
   auto& [crack, element, point, across, plus, minus] = section;
   archive(crack, element, point, across, plus, minus);
 }
+
+void check(const Section& section, const MemoryLimits& limits);
 
 /// The facet that a crack has cut, or null when the part has none.
 const Facet* facetOf(const Polytope& polytope, int crack);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/cut/section.h"
 #include "incision/fem/materials.h"
 #include "incision/fracture/settings.h"
@@ -35,6 +36,8 @@ void serialize(Archive& archive, CohesionMemory& memory) {
   auto& [bonds, spent] = memory;
   archive(bonds, spent);
 }
+
+void check(const CohesionMemory& memory, const MemoryLimits& limits);
 
 /// What still bonds the two faces of a crack that opens. The traction follows the opening y, against it and
 /// by its size δ = |y| alone: it rises steeply to the tensile strength σ_t, falls linearly to nothing at δ_c = 2G/σ_t,

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/fem/assembly.h"
 #include "incision/fracture/fringe.h"
 #include "incision/fracture/front.h"
@@ -132,5 +133,7 @@ void serialize(Archive& archive, CrackGrowth::Memory& memory) {
   auto& [cracks, known_copies, barred, waiting, any_waiting] = memory;
   archive(cracks, known_copies, barred, waiting, any_waiting);
 }
+
+void check(const CrackGrowth::Memory& memory, const MemoryLimits& limits);
 
 }  // namespace incision

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "incision/base/memory_limits.h"
 #include "incision/rigid/wrench.h"
 
 namespace incision {
@@ -24,6 +25,8 @@ void serialize(Archive& archive, Pose& pose) {
   auto& [position, orientation] = pose;
   archive(position, orientation);
 }
+
+void check(const Pose& pose, const MemoryLimits& limits);
 
 /// A cutting edge: its two ends [m].
 using Edge = std::array<Vec3, 2>;

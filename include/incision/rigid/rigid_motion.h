@@ -1,5 +1,6 @@
 #pragma once
 
+#include "incision/base/memory_limits.h"
 #include "incision/rigid/pose.h"
 
 namespace incision {
@@ -18,5 +19,7 @@ void serialize(Archive& archive, RigidMotion& motion) {
   auto& [from, to] = motion;
   archive(from, to);
 }
+
+void check(const RigidMotion& motion, const MemoryLimits& limits);
 
 }  // namespace incision

@@ -10,9 +10,11 @@ namespace incision {
 /// What the batch program is asked to do.
 struct BatchOptions {
   std::string scene;
-  std::int64_t steps = 100;                                 ///< 0 only loads the scene and reports; at most 10,000,000
+  std::int64_t steps = 100;                                 ///< to take; 0: none; at most 10,000,000
   std::vector<std::string> overrides;                       ///< "solver.time_step=0.005", in the order given
   std::string record, positions, snapshot, volume, series;  ///< output files; empty: none
+  std::string restore;                                      ///< file that a body was saved in; empty: none
+  std::string save;                                         ///< file to save the body in at the end; empty: none
   std::int64_t every = 10;  ///< steps between snapshots of the series; as many as `steps` may be
   bool help = false;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "incision/base/memory_limits.h"
 #include "incision/solver/implicit_step.h"
 
 namespace incision {
@@ -40,5 +41,7 @@ void serialize(Archive& archive, BackwardDifference::Memory& memory) {
   archive(known);
   if (known) archive(before);
 }
+
+void check(const BackwardDifference::Memory& memory, const MemoryLimits& limits);
 
 }  // namespace incision

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/fem/boundary.h"
 #include "incision/fem/loads.h"
 #include "incision/solver/couplers.h"
@@ -190,5 +191,7 @@ void serialize(Archive& archive, ImplicitStep::Memory& memory) {
   auto& [basis, group, fallback_steps, solver, solver_time_step, rotations] = memory;
   archive(basis, group, fallback_steps, solver, solver_time_step, rotations);
 }
+
+void check(const ImplicitStep::Memory& memory, const MemoryLimits& limits);
 
 }  // namespace incision

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/base/vec.h"
 
 namespace incision {
@@ -17,5 +18,7 @@ void serialize(Archive& archive, Motion& motion) {
   auto& [x, v] = motion;
   archive(x, v);
 }
+
+void check(const Motion& motion, const MemoryLimits& limits);
 
 }  // namespace incision

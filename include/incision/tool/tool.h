@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "incision/base/memory.h"
+#include "incision/base/memory_limits.h"
 #include "incision/cut/cut_result.h"
 #include "incision/cut/mesh_door.h"
 #include "incision/solver/motion.h"
@@ -33,6 +34,8 @@ void serialize(Archive& archive, ToolMemory& memory) {
   auto& [pose, path, jaw, jaw_to, active] = memory;
   archive(pose, path, jaw, jaw_to, active);
 }
+
+void check(const ToolMemory& memory, const MemoryLimits& limits);
 
 /// Shapes of a tool that move together, with what they need to touch.
 using Touching = std::vector<std::unique_ptr<ToolContact>>;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/fem/materials.h"
 #include "incision/mesh/skin_depth.h"
 #include "incision/tool/blade/stroke.h"
@@ -22,6 +23,8 @@ void serialize(Archive& archive, StationMemory& memory) {
   auto& [slip, forward] = memory;
   archive(slip, forward);
 }
+
+void check(const std::vector<StationMemory>& memory, const MemoryLimits& limits);
 
 /// An edge of a tool.
 struct EdgeOfTool {
@@ -56,6 +59,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   void update(Span<const Vec3> moved, Span<Spring> springs) override;
   void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   bool hasOtherEnd() const override { return true; }
+  std::any read(ArchiveReader* archive) const override;
 
   /// Whether a part of the edge was in the tissue when the last step started, and how far that came below the skin, at
   /// rest [m].

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/tool/blade/working_edges.h"
 #include "incision/tool/kinds.h"
 
@@ -19,6 +20,8 @@ void serialize(Archive& archive, CuttingToolMemory& memory) {
   auto& [tool, edges] = memory;
   archive(tool, edges);
 }
+
+void check(const CuttingToolMemory& memory, const MemoryLimits& limits);
 
 /// A `Base`, which is a Tool or derives from it, with cutting edges: what these sweep is cut.
 template <class Base>
@@ -59,7 +62,13 @@ class CuttingTool : public Base {
   void write(const std::any& kept, ArchiveWriter* archive) const override {
     writeKept<CuttingToolMemory>(kept, archive);
   }
-  std::any read(ArchiveReader* archive) const override { return readKept<CuttingToolMemory>(archive); }
+  std::any read(ArchiveReader* archive) const override {
+    std::any kept = readKept<CuttingToolMemory>(archive);
+    // Where edges have swept anything, all of them have stood somewhere.
+    const auto& stands = std::any_cast<const CuttingToolMemory&>(kept).edges.stroke.stands;
+    require(stands.empty() || stands.size() == edges_.edges().size(), "a stroke is of other edges");
+    return kept;
+  }
 
  protected:
   void start(const std::vector<Vec3>& x) override { edges_.start(x); }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/cut/mesh_door.h"
 #include "incision/tool/blade/ties.h"
 
@@ -117,6 +118,8 @@ void serialize(Archive& archive, Stroke::Memory& memory) {
   auto& [crack, cracks, begun, stands, normal, ways, distances, swept] = memory;
   archive(crack, cracks, begun, stands, normal, ways, distances, swept);
 }
+
+void check(const Stroke::Memory& memory, const MemoryLimits& limits);
 
 template <class Archive>
 void serialize(Archive& archive, Stroke::Stand& stand) {

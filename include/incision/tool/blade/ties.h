@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/cut/section.h"
 #include "incision/fem/materials.h"
 #include "incision/solver/coupler.h"
@@ -63,6 +64,8 @@ void serialize(Archive& archive, TiesMemory& memory) {
   auto& [ties, area] = memory;
   archive(ties, area);
 }
+
+void check(const TiesMemory& memory, const MemoryLimits& limits);
 
 /// What ties together the two faces of strokes' cracks in elements that the blade has entered and not left: per area
 /// that it has not swept the stiffness κ = κ₀ (1 − s)/s, s being the swept share of the element's section. So nothing

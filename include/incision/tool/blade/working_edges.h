@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/cut/cut_result.h"
 #include "incision/tool/blade/cutting_edge.h"
 #include "incision/tool/blade/stroke.h"
@@ -36,6 +37,8 @@ void serialize(Archive& archive, WorkingEdgesMemory& memory) {
   auto& [strokes, stroke] = memory;
   archive(strokes, stroke);
 }
+
+void check(const WorkingEdgesMemory& memory, const MemoryLimits& limits);
 
 /// The cutting edges of a tool at their work. What they sweep in a step is cut after it, in the material; so an edge at
 /// rest cuts tissue that moves. Their crack, which is one, opens as they sweep it, and what they have not cut yet

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "incision/base/memory_limits.h"
 #include "incision/fem/materials.h"
 #include "incision/solver/coupler.h"
 #include "incision/tool/grasper/grip_points.h"
@@ -20,6 +21,8 @@ void serialize(Archive& archive, GripMemory& memory) {
   auto& [points, taken] = memory;
   archive(points, taken);
 }
+
+void check(const GripMemory& memory, const MemoryLimits& limits);
 
 /// The grip of closed jaws on what lies between them: springs between places in the mouth, the anchors, and the
 /// material that is there. Each carries its material along with k s, s being how far the anchor is before it, until

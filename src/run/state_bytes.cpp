@@ -1,0 +1,188 @@
+#include "state_bytes.h"
+
+#include <xxhash.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <sstream>
+#include <vector>
+
+#include "incision/base/archive.h"
+#include "incision/base/input_error.h"
+#include "incision/base/parallel.h"
+#include "incision/base/printable.h"
+
+namespace incision {
+namespace {
+
+/// As PNG's: a file that was copied as if it were text, or by seven bits, no longer begins like this.
+constexpr std::array<unsigned char, 8> MAGIC = {0x89, 'I', 'N', 'C', '\r', '\n', 0x1a, '\n'};
+
+/// Unpacked bytes of a section: what one thread packs in some milliseconds.
+constexpr std::size_t SECTION = std::size_t{1} << 22;
+
+/// Zstandard's quickest level but for those that hardly pack: it packs faster than a disk writes.
+constexpr int LEVEL = 1;
+
+/// Most bytes that a body may take for each element of its mesh, and besides. An element that no crack has met takes
+/// some 200, a part that one has met some 1,500.
+constexpr std::size_t MOST_PER_ELEMENT = std::size_t{1} << 16, MOST_BESIDES = std::size_t{1} << 26;
+
+struct StateSection {
+  std::uint32_t length = 0, stored = 0;  ///< stored as it is where packing it saves nothing
+  std::uint64_t hash = 0;                ///< of what is stored
+};
+
+template <class Archive>
+void serialize(Archive& archive, StateSection& section) {
+  auto& [length, stored, hash] = section;
+  archive(length, stored, hash);
+}
+
+struct StateHeader {
+  std::string version;  ///< of the package
+  SceneKey key;
+  std::vector<StateSection> sections;
+};
+
+template <class Archive>
+void serialize(Archive& archive, StateHeader& header) {
+  auto& [version, key, sections] = header;
+  archive(version, key, sections);
+}
+
+/// What comes before the header.
+struct Start {
+  std::array<unsigned char, 8> magic = MAGIC;
+  std::uint32_t format = STATE_FORMAT, length = 0;
+  std::uint64_t hash = 0;
+};
+static_assert(sizeof(Start) == 24);
+
+/// Of all before the header's hash, and of the header.
+std::uint64_t hashOf(const Start& start, const std::string& header) {
+  return XXH3_64bits_withSeed(header.data(), header.size(), XXH3_64bits(&start, offsetof(Start, hash)));
+}
+
+std::size_t mostBytes(const SceneKey& key) {
+  return MOST_BESIDES + MOST_PER_ELEMENT * static_cast<std::size_t>(key.elements);
+}
+
+void checkStart(const Start& start, std::size_t size) {
+  if (start.magic != MAGIC) throw InputError("not a saved body (allowed: a file that --save has written)");
+  if (start.format != STATE_FORMAT)
+    throw InputError("of format " + std::to_string(start.format) + " (allowed: " + std::to_string(STATE_FORMAT) + ")");
+  if (start.length > size - sizeof(Start)) throw InputError("cut short");
+}
+
+void checkKey(const StateHeader& header, const SceneKey& key) {
+  if (header.version != INCISION_VERSION)
+    throw InputError("of incision " + printable(header.version) + " (allowed: " INCISION_VERSION ")");
+  const SceneKey& other = header.key;
+  if (other.mesh != key.mesh || other.nodes != key.nodes || other.elements != key.elements)
+    throw InputError("of another mesh, of " + std::to_string(other.nodes) + " nodes and " +
+                     std::to_string(other.elements) + " elements (allowed: that of the scene, which has " +
+                     std::to_string(key.nodes) + " and " + std::to_string(key.elements) + ")");
+  if (other.scene != key.scene)
+    throw InputError("of another scene (allowed: the one it was saved with, but for solver.threads)");
+}
+
+/// Returns how long the body is. `size`: of what is left of the file.
+std::size_t checkSections(const std::vector<StateSection>& sections, std::size_t size, const SceneKey& key) {
+  std::size_t length = 0, stored = 0;
+  for (const StateSection& section : sections) {
+    if (section.length > SECTION || section.stored > section.length)
+      throw InputError("a section of " + std::to_string(section.length) + " bytes, stored as " +
+                       std::to_string(section.stored) + " (allowed: up to " + std::to_string(SECTION) +
+                       ", stored as no more)");
+    length += section.length;
+    stored += section.stored;
+  }
+  if (stored > size) throw InputError("cut short");
+  if (stored < size) throw InputError("followed by " + std::to_string(size - stored) + " bytes that are not its own");
+  if (length > mostBytes(key))
+    throw InputError("unpacked, of " + std::to_string(length) + " bytes (allowed: up to " +
+                     std::to_string(mostBytes(key)) + " for this mesh)");
+  return length;
+}
+
+std::string packedSection(std::string_view bytes) {
+  std::string to(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t size = ZSTD_compress(to.data(), to.size(), bytes.data(), bytes.size(), LEVEL);
+  if (ZSTD_isError(size) || size >= bytes.size()) return std::string(bytes);
+  to.resize(size);
+  return to;
+}
+
+bool unpackSection(const StateSection& section, const std::string& stored, char* to) {
+  if (XXH3_64bits(stored.data(), stored.size()) != section.hash) return false;
+  if (section.stored < section.length)
+    return ZSTD_decompress(to, section.length, stored.data(), stored.size()) == section.length;
+  std::memcpy(to, stored.data(), stored.size());
+  return true;
+}
+
+}  // namespace
+
+std::string packed(const std::string& body, const SceneKey& key, int threads) {
+  if (body.size() > mostBytes(key))
+    throw std::length_error("the body takes " + std::to_string(body.size()) + " bytes (allowed: up to " +
+                            std::to_string(mostBytes(key)) + " for this mesh)");
+  const auto count = static_cast<int>((body.size() + SECTION - 1) / SECTION);
+  std::vector<std::string> sections(count);
+  StateHeader header{INCISION_VERSION, key, std::vector<StateSection>(count)};
+  parallelFor(count, threads, [&](int i) {
+    const std::string_view bytes = std::string_view(body).substr(i * SECTION, SECTION);
+    sections[i] = packedSection(bytes);
+    header.sections[i] = {static_cast<std::uint32_t>(bytes.size()), static_cast<std::uint32_t>(sections[i].size()),
+                          XXH3_64bits(sections[i].data(), sections[i].size())};
+  });
+  std::ostringstream stream;
+  ArchiveWriter archive(stream);
+  archive(header);
+  const std::string said = stream.str();
+  Start start;
+  start.length = static_cast<std::uint32_t>(said.size());
+  start.hash = hashOf(start, said);
+  std::string file(reinterpret_cast<const char*>(&start), sizeof(start));
+  file += said;
+  for (const std::string& section : sections) file += section;
+  return file;
+}
+
+std::string unpacked(const std::function<void(char* to, std::size_t count)>& read, std::size_t size,
+                     const SceneKey& key, int threads) {
+  if (size < sizeof(Start)) throw InputError("cut short, or not a saved body");
+  Start start;
+  read(reinterpret_cast<char*>(&start), sizeof(start));
+  checkStart(start, size);
+  std::string said(start.length, '\0');
+  read(said.data(), said.size());
+  if (start.hash != hashOf(start, said)) throw InputError("damaged: its header is not the one that was written");
+  StateHeader header;
+  ArchiveReader archive(said);
+  archive(header);
+  checkKey(header, key);
+  std::string body(checkSections(header.sections, size - sizeof(start) - said.size(), key), '\0');
+
+  const std::size_t count = header.sections.size();
+  std::vector<std::string> sections(count);
+  std::vector<char*> to(count, body.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) to[i] = to[i - 1] + header.sections[i - 1].length;
+    sections[i].resize(header.sections[i].stored);
+    read(sections[i].data(), sections[i].size());
+  }
+  std::vector<char> fits(count);
+  parallelFor(static_cast<int>(count), threads,
+              [&](int i) { fits[i] = unpackSection(header.sections[i], sections[i], to[i]); });
+  for (std::size_t i = 0; i < count; ++i)
+    if (!fits[i])
+      throw InputError("damaged: its section " + std::to_string(i + 1) + " of " + std::to_string(count) +
+                       " is not the one that was written");
+  return body;
+}
+
+}  // namespace incision

@@ -1,0 +1,115 @@
+#include "incision/run/state_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <streambuf>
+#include <system_error>
+#include <utility>
+
+#include "incision/base/input_error.h"
+#include "incision/base/printable.h"
+#include "state_bytes.h"
+
+namespace incision {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Appends to a text that it gives away in the end.
+class StringBuffer : public std::streambuf {
+ public:
+  std::string text;
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    text.append(bytes, static_cast<std::size_t>(count));
+    return count;
+  }
+  int_type overflow(int_type byte) override {
+    text.push_back(traits_type::to_char_type(byte));
+    return byte;
+  }
+};
+
+std::string bytesOf(const DeformableBody& body) {
+  StringBuffer buffer;
+  std::ostream out(&buffer);
+  body.save(out);
+  return std::move(buffer.text);
+}
+
+[[noreturn]] void failWith(int error) { throw std::system_error(error, std::generic_category()); }
+
+std::string besides(const std::string& path) { return path + ".tmp"; }
+
+/// What has been renamed in a folder stays so when the power fails.
+void syncFolder(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  const int file = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) failWith(errno);
+  const int error = fsync(file) == 0 ? 0 : errno;
+  close(file);
+  if (error != 0 && error != EINVAL) failWith(error);  // EINVAL: a file system that cannot
+}
+
+}  // namespace
+
+StateFile::StateFile(const std::string& path) : path_(path) {
+  std::error_code unknown;
+  const fs::file_status at = fs::status(path, unknown);
+  if (fs::exists(at) && !fs::is_regular_file(at))
+    throw InputError(printable(path) + ": cannot be written: not a file (allowed: a file, or a new one in a folder)");
+  file_ = open(besides(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file_ < 0) throw InputError(printable(path) + ": cannot be written: " + std::strerror(errno));
+}
+
+StateFile::StateFile(StateFile&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+
+StateFile::~StateFile() {
+  if (file_ < 0) return;
+  close(file_);
+  unlink(besides(path_).c_str());
+}
+
+void StateFile::write(const std::string& bytes) const {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t count = ::write(file_, bytes.data() + done, bytes.size() - done);
+    if (count < 0 && errno != EINTR) failWith(errno);
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+void StateFile::save(const DeformableBody& body, const SceneKey& key) {
+  write(packed(bytesOf(body), key, body.scene().solver.threads));
+  if (fsync(file_) != 0) failWith(errno);
+  if (std::rename(besides(path_).c_str(), path_.c_str()) != 0) failWith(errno);
+  close(std::exchange(file_, -1));
+  syncFolder(path_);
+}
+
+void restoreState(const std::string& path, const SceneKey& key, DeformableBody* body) {
+  const std::string name = printable(path);
+  std::error_code error;
+  if (!fs::exists(path, error)) throw InputError(name + ": cannot be opened: no such file");
+  if (!fs::is_regular_file(path, error)) throw InputError(name + ": not a file (allowed: one that --save has written)");
+  const auto size = static_cast<std::size_t>(fs::file_size(path, error));
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file) throw InputError(name + ": cannot be opened: " + std::strerror(errno));
+  const auto read = [&](char* to, std::size_t count) {
+    if (!file.read(to, static_cast<std::streamsize>(count))) throw InputError("cannot be read to its end");
+  };
+  try {
+    body->restore(unpacked(read, size, key, body->scene().solver.threads));
+  } catch (const InputError& wrong) {
+    throw InputError(name + ": " + wrong.what());
+  }
+}
+
+}  // namespace incision
