@@ -47,9 +47,9 @@ ToolInput Agenda::takeTool(int tool, Nanoseconds time) {
   return at(tool).take(time);
 }
 
-std::vector<PlaneCut> Agenda::clear() {
+std::vector<PlaneCut> Agenda::clear(const std::vector<bool>& active) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (ToolQueue& tool : tools_) tool.clear();
+  for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].clear(active.empty() || active.at(i));
   taken_ = 0;
   return cuts_.takeAll();
 }

@@ -21,10 +21,10 @@ ClampTracker::ClampTracker(const Frames& frames, LinkLookup::Complain complain, 
     if (!clamps[i].frame.empty()) followed_.push_back({static_cast<int>(i), clamps[i].frame});
 }
 
-std::vector<LinkMove> ClampTracker::follow(Nanoseconds now, Nanoseconds end) {
-  std::vector<LinkMove> moves = tracker_.follow(end);
+std::vector<LinkMove> ClampTracker::follow(Nanoseconds now, Nanoseconds end, bool single) {
+  std::vector<LinkMove> moves = tracker_.follow(now, end);
   for (LinkMove& move : moves) move.link = followed_[static_cast<std::size_t>(move.link)].clamp;
-  if (now > 0)
+  if (!single)
     for (std::size_t i = 0; i < followed_.size(); ++i) checkAge(now, i);
   return moves;
 }
@@ -46,6 +46,11 @@ void ClampTracker::checkAge(Nanoseconds now, std::size_t i) {
 
 void ClampTracker::restart() {
   tracker_.restart();
+  for (Followed& followed : followed_) followed.stamp.reset();
+}
+
+void ClampTracker::recall(const std::vector<FollowedLinkMemory>& memory) {
+  tracker_.recall(memory);
   for (Followed& followed : followed_) followed.stamp.reset();
 }
 

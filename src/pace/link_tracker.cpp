@@ -1,10 +1,15 @@
 #include "incision/pace/link_tracker.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace incision {
 namespace {
+
+/// Stands for the time of the last call while that is still to be known: later than any that ROS can say.
+constexpr Nanoseconds LAST_CALL = Nanoseconds{1} << 62;
 
 /// At least as far [m] as anything moves that is within `reach` of the origin.
 double travel(const Pose& from, const Pose& to, double reach) {
@@ -41,6 +46,45 @@ void LinkTracker::restart() {
     link.approach.stop();
     link.found = false;
   }
+  resumed_ = false;
+}
+
+void check(const std::vector<FollowedLinkMemory>& memory, const MemoryLimits& limits) {
+  for (const FollowedLinkMemory& link : memory) {
+    check(link.pose, limits);
+    if (link.target) check(*link.target, limits);
+    require(!link.age || isRosTime(std::abs(*link.age)), "a transform's age is out of range");
+    check(link.approach, limits);
+    require(link.target || link.approach.stepsLeft() == 0, "a link goes nowhere");
+  }
+}
+
+std::vector<FollowedLinkMemory> LinkTracker::keep() const {
+  std::vector<FollowedLinkMemory> memory;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    std::optional<Nanoseconds> age;
+    if (link.stamp != 0) age = last_call_ - link.stamp;
+    memory.push_back({poses_[i], link.target, age, link.approach, link.found});
+  }
+  return memory;
+}
+
+void LinkTracker::recall(const std::vector<FollowedLinkMemory>& memory) {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const FollowedLinkMemory& kept = memory.at(i);
+    poses_[i] = kept.pose;
+    links_[i] = {links_[i].followed, kept.target, kept.age ? LAST_CALL - *kept.age : 0, kept.approach, kept.found};
+  }
+  last_call_ = LAST_CALL;
+  resumed_ = true;
+}
+
+void LinkTracker::resume(Nanoseconds now) {
+  if (!std::exchange(resumed_, false)) return;
+  const Nanoseconds last = now - static_cast<Nanoseconds>(std::llround(1e9 * time_step_));
+  for (Link& link : links_)
+    if (link.stamp != 0) link.stamp += last - LAST_CALL;
 }
 
 std::optional<Nanoseconds> LinkTracker::stampOf(std::size_t link) const {
@@ -48,7 +92,9 @@ std::optional<Nanoseconds> LinkTracker::stampOf(std::size_t link) const {
   return links_[link].stamp;
 }
 
-std::vector<LinkMove> LinkTracker::follow(Nanoseconds end) {
+std::vector<LinkMove> LinkTracker::follow(Nanoseconds now, Nanoseconds end) {
+  resume(now);
+  last_call_ = now;
   std::vector<LinkMove> moves;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     Link& link = links_[i];

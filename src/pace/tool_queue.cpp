@@ -36,10 +36,11 @@ ToolInput ToolQueue::take(Nanoseconds time) {
   return input;
 }
 
-void ToolQueue::clear() {
+void ToolQueue::clear(bool active) {
   const std::uint64_t thinned = thinned_;
   *this = ToolQueue();
   thinned_ = thinned;
+  active_ = active_taken_ = active;
 }
 
 }  // namespace incision

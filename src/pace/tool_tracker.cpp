@@ -1,6 +1,7 @@
 #include "incision/pace/tool_tracker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "incision/pace/pose_path.h"
@@ -15,18 +16,63 @@ double seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
 ToolTracker::ToolTracker(const ToolSettings& tool, const Edge& edge, double time_step)
     : max_step_(tool.max_step), timeout_(tool.timeout), edge_(edge), time_step_(time_step) {}
 
-void ToolTracker::restart() {
+void check(const ToolTrackerMemory& memory, const MemoryLimits& limits) {
+  for (const ToolTrackerMemory::Waiting& waiting : memory.waiting) {
+    check(waiting.pose, limits);
+    require(isRosTime(waiting.age), "a pose's age is out of range");
+  }
+  if (memory.last) check(*memory.last, limits);
+  require(isRosTime(memory.age), "a pose's age is out of range");
+  check(memory.pose, limits);
+  for (const Pose& pose : memory.way) check(pose, limits);
+  check(memory.approach, limits);
+}
+
+void ToolTracker::restart(const std::optional<Pose>& at) {
   waiting_.clear();
-  last_.reset();
+  last_ = at;
+  pose_ = at.value_or(Pose());
   active_ = true;
+  last_time_ = last_call_ = 0;
   way_.clear();
   approach_.stop();
+  resumed_ = stale_ = at.has_value();
+}
+
+ToolTrackerMemory ToolTracker::keep() const {
+  ToolTrackerMemory memory = {{}, last_, active_, 0, pose_, way_, approach_, stale_};
+  for (const ReceivedPose& pose : waiting_)
+    memory.waiting.push_back({pose.pose, pose.active, std::max<Nanoseconds>(0, last_call_ - pose.time)});
+  if (last_) memory.age = std::max<Nanoseconds>(0, last_call_ - last_time_);
+  return memory;
+}
+
+void ToolTracker::recall(const ToolTrackerMemory& memory) {
+  waiting_.clear();
+  for (const auto& [pose, active, age] : memory.waiting)
+    waiting_.push_back({pose, -age, std::chrono::steady_clock::now(), active});
+  last_ = memory.last;
+  active_ = memory.active;
+  last_time_ = -memory.age;
+  pose_ = memory.pose;
+  way_ = memory.way;
+  approach_ = memory.approach;
   last_call_ = 0;
-  stale_ = false;
+  resumed_ = true;
+  stale_ = memory.stale;
+}
+
+/// In a paused body no time has passed since its last step.
+void ToolTracker::resume(Nanoseconds now, bool single) {
+  if (!std::exchange(resumed_, false)) return;
+  last_call_ = single ? now : now - static_cast<Nanoseconds>(std::llround(1e9 * time_step_));
+  last_time_ += last_call_;
+  for (ReceivedPose& pose : waiting_) pose.time += last_call_;
 }
 
 ToolMove ToolTracker::follow(const ToolInput& input, Nanoseconds now, bool single) {
   ToolMove move;
+  resume(now, single);
   admit(input.poses, now, &move);
   bool under_way = !way_.empty();
   int taken = 0;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <vector>
 
 #include "incision/base/input_error.h"
+#include "incision/base/printable.h"
 
 namespace incision {
 namespace {
@@ -14,6 +16,9 @@ constexpr std::size_t MAX_DEPTH = 200;
 
 /// Nodes, those counted in full that are instances of others: a model of a whole building has a tenth of it.
 constexpr double MAX_NODES = 100'000;
+
+/// Numbers that belong to one vertex: places, normals, some colours and textures.
+constexpr std::size_t MAX_STRIDE = 1000;
 
 /// One tag, from its '<' on.
 struct Tag {
@@ -57,6 +62,33 @@ std::string attribute(const Tag& tag, const std::string& name) {
     if (is_it) return tag.text.substr(open + 1, tag.text.find(tag.text[open], open + 1) - open - 1);
   }
   return "";
+}
+
+/// Refuses a number of things that is no number or of more than are `allowed`; returns it otherwise, and 0 for none.
+std::size_t checkedCount(const std::string& what, const std::string& value, std::size_t allowed) {
+  // No more digits than a number of 64 bits holds for certain.
+  const bool is_number = value.size() < 19 && value.find_first_not_of("0123456789") == std::string::npos;
+  const std::size_t count = is_number && !value.empty() ? std::stoull(value) : 0;
+  if (is_number && count <= allowed) return count;
+  throw InputError("has the " + what + " '" + printable(value) + "' (allowed: whole numbers up to " +
+                   std::to_string(allowed) + ")");
+}
+
+/// A reader makes room for as many numbers as these attributes promise, of which each takes a byte of the text.
+void checkCounts(const Tag& tag, std::size_t length) {
+  checkedCount("count", attribute(tag, "count"), length);
+  checkedCount("stride", attribute(tag, "stride"), MAX_STRIDE);
+  checkedCount("offset", attribute(tag, "offset"), MAX_STRIDE);
+}
+
+/// Likewise for the corners of polygons, which the text from `at` on counts.
+void checkCorners(const std::string& text, std::size_t at) {
+  std::istringstream counts(text.substr(at, text.find('<', at) - at));
+  std::size_t corners = 0;
+  for (std::string count; counts >> count;) {
+    corners += checkedCount("vcount", count, text.size());
+    checkedCount("sum of vcount", std::to_string(corners), text.size());
+  }
 }
 
 /// Nodes, and what lies within each.
@@ -120,6 +152,8 @@ void checkCollada(const std::string& text) {
       if (!open.empty()) open.pop_back();
       continue;
     }
+    checkCounts(tag, text.size());
+    if (tag.name == "vcount") checkCorners(text, std::min(at + 1, text.size()));
     const int parent = open.empty() ? NONE : open.back();
     const int node = tag.name == "node" ? nodes.add(tag, parent) : parent;
     if (tag.name == "instance_node") nodes.addInstance(tag, parent);

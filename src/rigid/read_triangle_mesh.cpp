@@ -6,8 +6,11 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 
 #include "collada_text.h"
@@ -44,6 +47,20 @@ void keepReader(const std::string& format, Assimp::Importer* importer) {
     importer->UnregisterLoader(reader);
     delete reader;  // which nobody else does any more
   }
+}
+
+/// The library multiplies the count of triangles in 32 bits: with 2³¹ added to a true one it finds the length to be
+/// right, makes room for all of them and reads beyond the file's end.
+void checkBinaryStl(const std::string& bytes) {
+  constexpr std::size_t HEADER = 80, TRIANGLE = 50;
+  std::array<unsigned char, 4> digits;  // of 256
+  if (bytes.size() < HEADER + digits.size()) return;
+  std::memcpy(digits.data(), &bytes[HEADER], digits.size());
+  const std::uint32_t count = digits[0] + (digits[1] << 8U) + (digits[2] << 16U) + (std::uint32_t{digits[3]} << 24U);
+  const std::size_t expected = HEADER + digits.size() + TRIANGLE * count;
+  const bool seems_binary = static_cast<std::uint32_t>(expected) == static_cast<std::uint32_t>(bytes.size());
+  if (seems_binary && expected != bytes.size())
+    throw InputError("has a count of " + std::to_string(count) + " triangles, for which it is too short");
 }
 
 /// A mesh's place in the scene, and which mesh.
@@ -94,6 +111,7 @@ TriangleMesh parseTriangleMesh(const std::string& bytes, const std::string& form
   if (format != ".stl" && format != ".obj" && format != ".dae")
     throw InputError("is of no format that is read (allowed: " + std::string(MESH_FORMATS) + ")");
   if (format == ".dae") checkCollada(bytes);
+  if (format == ".stl") checkBinaryStl(bytes);
   const std::string name = "mesh" + format;
   Assimp::Importer importer;
   keepReader(format, &importer);

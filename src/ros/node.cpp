@@ -9,6 +9,7 @@
 #include "incision/body/quantities.h"
 #include "incision/body/remarks.h"
 #include "incision/ros/conversions.h"
+#include "incision/ros/leads_memory.h"
 #include "incision/ros/tf_frames.h"
 
 namespace incision {
@@ -63,6 +64,9 @@ IncisionNode::IncisionNode()
       obstacles_(LinkLookup(input_.frames(), warnOfLinks("the obstacles")), linksOf(body_.obstacles()),
                  settings_.scene.solver.time_step),
       clamps_(input_.frames(), warnOfLinks("the clamps"), settings_.scene.boundary, settings_.scene.solver.time_step),
+      checkpoints_(node_, settings_, keyOf(body_, settings_.descriptions), tasks_,
+                   {[this] { return save(); }, [this](const SavedState& state) { restore(state); },
+                    [this] { return body_.steps(); }}),
       spinner_(1) {
   for (const std::string& remark : remarksOn(body_.scene(), body_.mesh())) ROS_WARN_STREAM(remark);
   for (const std::string& remark : remarksOnShapes(body_)) ROS_WARN_STREAM(remark);
@@ -78,6 +82,7 @@ IncisionNode::IncisionNode()
           pacer->tick(now(), static_cast<Nanoseconds>(message->clock.toNSec()));
           wakeup_.notify();
         });
+  checkpoints_.restoreAtStart();
   spinner_.start();
 }
 
@@ -91,6 +96,7 @@ void IncisionNode::run() {
     changed |= applyCuts(due);
     if (due) step();
     if (changed || due || now() >= next_heartbeat_) publishState();
+    checkpoints_.offer(now(), body_.topologyVersion());
     markers_.offer(body_, obstacles_.poses(), last_step_, wantsRegionStress(), now());
     if (!due) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
@@ -118,9 +124,12 @@ void IncisionNode::applyCut(const PlaneCut& plane) {
 }
 
 StepTime IncisionNode::stepTime() const {
-  if (!ros::Time::isSimTime()) return {std::chrono::nanoseconds(now().time_since_epoch()).count(), 0, paused_};
+  if (!ros::Time::isSimTime())
+    return {std::chrono::nanoseconds(now().time_since_epoch()).count(), 0,
+            static_cast<Nanoseconds>(ros::Time::now().toNSec()), paused_};
   const auto time_step = static_cast<Nanoseconds>(std::llround(1e9 * settings_.scene.solver.time_step));
-  return {paused_ ? pacer_->clock() : pacer_->nextStart(), pacer_->nextStart() + time_step, paused_};
+  const Nanoseconds start = paused_ ? pacer_->clock() : pacer_->nextStart();
+  return {start, pacer_->nextStart() + time_step, start, paused_};
 }
 
 /// Before a step. Poses stamped later than its start wait.
@@ -134,7 +143,7 @@ void IncisionNode::leadTools(const StepTime& time) {
 
 /// Before a step: the obstacles' links go where tf has them at its end.
 void IncisionNode::moveObstacles(const StepTime& time) {
-  for (const LinkMove& move : obstacles_.follow(time.end)) {
+  for (const LinkMove& move : obstacles_.follow(time.ros, time.end)) {
     if (move.jump_speed)
       ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "link \"" << body_.obstacles().links[move.link].name
                                                          << "\" of the obstacles jumped, at " << *move.jump_speed
@@ -148,7 +157,7 @@ void IncisionNode::moveObstacles(const StepTime& time) {
 
 /// Before a step: the clamps' frames go where tf has them at its end.
 void IncisionNode::moveClamps(const StepTime& time) {
-  for (const LinkMove& move : clamps_.follow(time.single ? 0 : time.start, time.end)) {
+  for (const LinkMove& move : clamps_.follow(time.ros, time.end, time.single)) {
     if (move.jump_speed)
       ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "frame \"" << settings_.scene.boundary[move.link].frame
                                                           << "\" of a clamp jumped, at " << *move.jump_speed
@@ -210,19 +219,55 @@ void IncisionNode::setPaused(bool paused) {
   pacer_->restart();
 }
 
-void IncisionNode::reset() {
-  const Refused refused{Refusal::BY_RESET, "the body was reset before this command took effect"};
+/// The commands that wait are answered; the blades are on then, or as `active` has them.
+void IncisionNode::dropWaiting(const std::string& why, const std::vector<bool>& active) {
+  const Refused refused{Refusal::BY_RESET, why + " before this command took effect"};
   input_.clear(refused);
-  for (const PlaneCut& plane : agenda_.clear()) reporter_.refuseCut(plane.label, refused);
+  for (const PlaneCut& plane : agenda_.clear(active)) reporter_.refuseCut(plane.label, refused);
+}
+
+void IncisionNode::reset() {
+  dropWaiting("the body was reset");
   for (ToolDriver& tool : tools_)
     if (const auto stroke = tool.restart(&body_)) reporter_.report(*stroke);
   body_.reset();
   obstacles_.restart();
   clamps_.restart();
+  startAnew();
+}
+
+/// After the body has become another.
+void IncisionNode::startAnew() {
   last_step_ = StepResult();
   error_.clear();
   reporter_.setPieces(body_.counts().pieces);
   setPaused(paused_);
+}
+
+SavedState IncisionNode::save() const {
+  SavedState state = savedState(body_);
+  LeadsMemory leads{{}, obstacles_.keep(), clamps_.keep()};
+  for (const ToolDriver& tool : tools_) leads.tools.push_back(tool.keep());
+  state.leads = toBytes(leads);
+  return state;
+}
+
+/// A body that no node has saved is taken over as it stands.
+void IncisionNode::restore(const SavedState& state) {
+  const LeadsMemory now{std::vector<ToolDriverMemory>(tools_.size()), obstacles_.keep(), clamps_.keep()};
+  const std::optional<LeadsMemory> leads = readLeads(state.leads, now);
+  body_.restore(state.body);
+  dropWaiting("the body was restored", leads ? leads->active() : std::vector<bool>());
+  if (leads) {
+    for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].recall(leads->tools[i]);
+    obstacles_.recall(leads->obstacles);
+    clamps_.recall(leads->clamps);
+  } else {
+    for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].takeOver(body_.toolPose(i));
+    obstacles_.restart();
+    clamps_.restart();
+  }
+  startAnew();
 }
 
 bool IncisionNode::wantsRegionStress() const {

@@ -41,8 +41,31 @@ ToolDriver::ToolDriver(ros::NodeHandle& node, std::size_t tool, const Scene& sce
     jaw_publisher_ = node.advertise<sensor_msgs::JointState>(settings_.name + "/jaw/measured_js", MEASURED_QUEUE);
 }
 
+void check(const ToolDriverMemory& memory, const MemoryLimits& limits) {
+  check(memory.tracker, limits);
+  check(memory.jaw, limits);
+}
+
+void ToolDriver::recall(const ToolDriverMemory& memory) {
+  tracker_.recall(memory.tracker);
+  jaw_.recall(memory.jaw);
+  frame_stamp_ = memory.frame_stamp;
+  active_ = memory.tracker.active;
+  told_active_ = memory.active;
+  received_.reset();
+}
+
+void ToolDriver::takeOver(const std::optional<Pose>& pose) {
+  tracker_.restart(pose);
+  jaw_.restart();
+  frame_stamp_.reset();
+  active_ = told_active_ = true;
+  received_.reset();
+}
+
 std::vector<CutResult> ToolDriver::lead(ToolInput input, const StepTime& time, DeformableBody* body) {
   if (!settings_.frame.empty()) addFrame(time, &input);
+  told_active_ = input.active;
   const ToolMove move = tracker_.follow(input, time.start, time.single);
   log(move);
   std::vector<CutResult> ended;
@@ -50,7 +73,7 @@ std::vector<CutResult> ToolDriver::lead(ToolInput input, const StepTime& time, D
   if (move.placed)
     if (const auto stroke = body->placeTool(*move.placed, tool_)) ended.push_back(*stroke);
   if (!move.path.empty()) body->guideTool(move.path, tool_);
-  if (const auto angle = jaw_.follow(input.jaw, time.single)) body->guideJaw(*angle, tool_);
+  if (const auto angle = jaw_.follow(input.jaw, time.start, time.single)) body->guideJaw(*angle, tool_);
   active_ = move.active;
   received_ = move.received;
   return ended;
@@ -124,11 +147,7 @@ void ToolDriver::publishWrench(const ToolReport& report, const ros::Time& stamp)
 }
 
 std::optional<CutResult> ToolDriver::restart(DeformableBody* body) {
-  tracker_.restart();
-  jaw_.restart();
-  frame_stamp_.reset();
-  received_.reset();
-  active_ = true;
+  takeOver(std::nullopt);
   if (std::exchange(valid_, false)) publishWrench(ToolReport(), ros::Time());
   return body->liftTool(tool_);
 }

@@ -139,7 +139,7 @@ bool saveState(const BatchOptions& options, const DeformableBody& body, const Sc
                std::ostream& err) {
   if (!outputs.state) return true;
   try {
-    outputs.state->save(body, key);
+    outputs.state->save(packed(savedState(body), key, body.scene().solver.threads));
     return true;
   } catch (const std::exception& error) {  // of the disk, or of memory
     err << "incision_batch: " << printable(options.save) << ": could not be written: " << error.what() << std::endl;

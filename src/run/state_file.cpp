@@ -1,48 +1,24 @@
 #include "incision/run/state_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <ostream>
-#include <streambuf>
 #include <system_error>
 #include <utility>
 
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
-#include "state_bytes.h"
 
 namespace incision {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Appends to a text that it gives away in the end.
-class StringBuffer : public std::streambuf {
- public:
-  std::string text;
-
- protected:
-  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
-    text.append(bytes, static_cast<std::size_t>(count));
-    return count;
-  }
-  int_type overflow(int_type byte) override {
-    text.push_back(traits_type::to_char_type(byte));
-    return byte;
-  }
-};
-
-std::string bytesOf(const DeformableBody& body) {
-  StringBuffer buffer;
-  std::ostream out(&buffer);
-  body.save(out);
-  return std::move(buffer.text);
-}
 
 [[noreturn]] void failWith(int error) { throw std::system_error(error, std::generic_category()); }
 
@@ -86,19 +62,24 @@ void StateFile::write(const std::string& bytes) const {
   }
 }
 
-void StateFile::save(const DeformableBody& body, const SceneKey& key) {
-  write(packed(bytesOf(body), key, body.scene().solver.threads));
+void StateFile::save(const std::string& bytes) {
+  write(bytes);
+  // Or it would be written at the kernel's last tick, and perhaps no later than the file saved before.
+  timespec now[2];
+  clock_gettime(CLOCK_REALTIME, &now[0]);
+  now[1] = now[0];
+  futimens(file_, now);
   if (fsync(file_) != 0) failWith(errno);
   if (std::rename(besides(path_).c_str(), path_.c_str()) != 0) failWith(errno);
   close(std::exchange(file_, -1));
   syncFolder(path_);
 }
 
-void restoreState(const std::string& path, const SceneKey& key, DeformableBody* body) {
+SavedState readState(const std::string& path, const SceneKey& key, int threads) {
   const std::string name = printable(path);
   std::error_code error;
   if (!fs::exists(path, error)) throw InputError(name + ": cannot be opened: no such file");
-  if (!fs::is_regular_file(path, error)) throw InputError(name + ": not a file (allowed: one that --save has written)");
+  if (!fs::is_regular_file(path, error)) throw InputError(name + ": not a file (allowed: that of a saved body)");
   const auto size = static_cast<std::size_t>(fs::file_size(path, error));
   std::ifstream file(path, std::ios::binary);
   if (error || !file) throw InputError(name + ": cannot be opened: " + std::strerror(errno));
@@ -106,9 +87,18 @@ void restoreState(const std::string& path, const SceneKey& key, DeformableBody* 
     if (!file.read(to, static_cast<std::streamsize>(count))) throw InputError("cannot be read to its end");
   };
   try {
-    body->restore(unpacked(read, size, key, body->scene().solver.threads));
+    return unpacked(read, size, key, threads);
   } catch (const InputError& wrong) {
     throw InputError(name + ": " + wrong.what());
+  }
+}
+
+void restoreState(const std::string& path, const SceneKey& key, DeformableBody* body) {
+  const SavedState state = readState(path, key, body->scene().solver.threads);
+  try {
+    body->restore(state.body);
+  } catch (const InputError& wrong) {
+    throw InputError(printable(path) + ": " + wrong.what());
   }
 }
 

@@ -30,20 +30,20 @@ struct ClampTrackerTest : testing::Test {
 
 TEST_F(ClampTrackerTest, TheFirstPoseTellsWhereTheFrameIsEvenIfThatIsTheBodysOrigin) {
   publish("rib", 10000 * MS, 0);
-  const std::vector<LinkMove> moves = tracker.follow(0, 0);
+  const std::vector<LinkMove> moves = tracker.follow(0, 0, true);
   ASSERT_EQ(moves.size(), 1u);
   EXPECT_EQ(moves[0].link, 1);
   EXPECT_TRUE(moves[0].at_once);
   EXPECT_FALSE(moves[0].jump_speed);
   publish("rib", 10010 * MS, 0.01);
-  EXPECT_FALSE(tracker.follow(0, 0).at(0).at_once);
+  EXPECT_FALSE(tracker.follow(0, 0, true).at(0).at_once);
 }
 
 TEST_F(ClampTrackerTest, AJumpIsAtOnceAndSaysSo) {
   publish("hip", 10000 * MS, 0);
-  tracker.follow(0, 0);
+  tracker.follow(0, 0, true);
   publish("hip", 10010 * MS, 1);
-  const std::vector<LinkMove> moves = tracker.follow(0, 0);
+  const std::vector<LinkMove> moves = tracker.follow(0, 0, true);
   ASSERT_EQ(moves.size(), 1u);
   EXPECT_EQ(moves[0].link, 2);
   EXPECT_GT(moves[0].jump_speed.value(), MAX_OBSTACLE_SPEED);
@@ -51,7 +51,7 @@ TEST_F(ClampTrackerTest, AJumpIsAtOnceAndSaysSo) {
 
 TEST_F(ClampTrackerTest, FramesOfWhichNothingIsKnownAreSaid) {
   publish("rib", 10000 * MS, 0);
-  EXPECT_EQ(tracker.follow(20000 * MS, 0).size(), 1u);
+  EXPECT_EQ(tracker.follow(20000 * MS, 0, false).size(), 1u);
   EXPECT_EQ(complaints, std::vector<std::string>{"hip: tf has not told where it is"});
 }
 
@@ -59,20 +59,20 @@ TEST_F(ClampTrackerTest, FramesOfWhichNothingNewComesAreSaidAndStay) {
   publish("rib", 10000 * MS, 0);
   publish("hip", 0, 0);  // holds for all times
   for (const int t : {0, 400, 600}) {
-    EXPECT_EQ(tracker.follow((20000 + t) * MS, 0).size(), t == 0 ? 2u : 0u);
+    EXPECT_EQ(tracker.follow((20000 + t) * MS, 0, false).size(), t == 0 ? 2u : 0u);
     EXPECT_EQ(complaints.size(), t == 600 ? 1u : 0u) << t;
   }
   EXPECT_EQ(complaints.at(0).find("rib: its last transform is older"), 0u);
   publish("rib", 10700 * MS, 0.01);
-  EXPECT_EQ(tracker.follow(20700 * MS, 0).size(), 1u);
+  EXPECT_EQ(tracker.follow(20700 * MS, 0, false).size(), 1u);
   EXPECT_EQ(complaints.size(), 1u);
 }
 
 TEST_F(ClampTrackerTest, ARestartForgetsAllFrames) {
   publish("rib", 10000 * MS, 0.5);
-  tracker.follow(0, 0);
+  tracker.follow(0, 0, true);
   tracker.restart();
-  EXPECT_TRUE(tracker.follow(0, 0).at(0).at_once);
+  EXPECT_TRUE(tracker.follow(0, 0, true).at(0).at_once);
 }
 
 }  // namespace

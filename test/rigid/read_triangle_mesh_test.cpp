@@ -122,6 +122,32 @@ TEST(ReadTriangleMesh, AHeaderThatPromisesMoreThanThereIsIsRefused) {
   EXPECT_NE(refusalOf(bytes, ".stl"), "");
 }
 
+TEST(ReadTriangleMesh, ACountThatFitsOnlyIn32BitsIsRefused) {
+  std::string bytes = asBinaryStl(ANGLE);
+  bytes[83] = static_cast<char>(bytes[83] | 0x80);
+  EXPECT_EQ(refusalOf(bytes, ".stl"), "has a count of " + std::to_string((1U << 31) + ANGLE.triangles.size()) +
+                                          " triangles, for which it is too short");
+}
+
+TEST(ReadTriangleMesh, ColladasCountsOfMoreThanTheTextHoldsAreRefused) {
+  const std::string good = asCollada(ANGLE);
+  for (const char* number : {"4294967295", "-15", "99999999999999999999999", "&#57;9", " 9", "0x1"})
+    for (std::size_t at = good.find("count='"); at != std::string::npos; at = good.find("count='", at + 1)) {
+      std::string bad = good;
+      const std::size_t begin = at + std::string("count='").size();
+      bad.replace(begin, bad.find('\'', begin) - begin, number);
+      EXPECT_EQ(refusalOf(bad, ".dae").find("has the count '"), 0u) << number;
+    }
+  for (const char* corners : {"4 9000000000", "4 1000 1000 1000", "4 -4"}) {
+    std::string bad = good;
+    bad.insert(bad.find("<p>"), std::string("<vcount>") + corners + "</vcount>");
+    EXPECT_NE(refusalOf(bad, ".dae").find("vcount '"), std::string::npos) << corners;
+  }
+  std::string bad = good;
+  bad.replace(bad.find("stride='3'"), std::string("stride='3'").size(), "stride='4000000000'");
+  EXPECT_EQ(refusalOf(bad, ".dae"), "has the stride '4000000000' (allowed: whole numbers up to 1000)");
+}
+
 TEST(ReadTriangleMesh, VerticesThatAreNotFiniteAreRefused) {
   TriangleMesh bad = ANGLE;
   bad.vertices[3].y() = std::nan("");

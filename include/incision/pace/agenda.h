@@ -33,8 +33,8 @@ class Agenda {
   std::vector<PlaneCut> takeCuts(Nanoseconds time);
   ToolInput takeTool(int tool, Nanoseconds time);
 
-  /// Empties the agenda and switches the blades on; returns the cuts that will not be made.
-  std::vector<PlaneCut> clear();
+  /// Empties the agenda and switches the blades on, or as `active` has them; returns the cuts that will not be made.
+  std::vector<PlaneCut> clear(const std::vector<bool>& active = {});
 
   /// Commands so far that arrived after their stamp had been passed, and poses left out.
   std::uint64_t late() const;

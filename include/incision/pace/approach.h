@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/base/memory_limits.h"
+
 namespace incision {
 
 /// Poses that come more seldom than steps are followed evenly, each in the time since the one before it and this [s] at
@@ -27,7 +29,16 @@ class Approach {
   double takeShare() { return steps_left_ > 0 ? 1.0 / steps_left_-- : 0; }
 
  private:
+  template <class Archive>
+  friend void serialize(Archive& archive, Approach& approach) {
+    archive(approach.steps_left_);
+  }
+
   int steps_left_ = 0;
 };
+
+inline void check(const Approach& approach, const MemoryLimits& /*limits*/) {
+  require(approach.stepsLeft() >= 0, "something arrives before it has gone");
+}
 
 }  // namespace incision

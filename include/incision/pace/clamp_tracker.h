@@ -18,12 +18,16 @@ class ClampTracker {
   /// `complain` is told of each step in which a clamp's frame is of no use. `time_step` [s].
   ClampTracker(const Frames& frames, LinkLookup::Complain complain, const std::vector<Clamp>& clamps, double time_step);
 
-  /// Where frames go in the next step, as LinkTracker says; `link` is the clamp's index. `now` is a time by which
-  /// transforms grow old; 0: none passes.
-  std::vector<LinkMove> follow(Nanoseconds now, Nanoseconds end);
+  /// Where frames go in the next step, as LinkTracker says; `link` is the clamp's index. In a `single` step, of a
+  /// paused body, no transform grows old.
+  std::vector<LinkMove> follow(Nanoseconds now, Nanoseconds end, bool single);
 
   /// Nothing is known of any frame, until it is heard of again.
   void restart();
+
+  /// As those of a LinkTracker, of each clamp that has a frame.
+  std::vector<FollowedLinkMemory> keep() const { return tracker_.keep(); }
+  void recall(const std::vector<FollowedLinkMemory>& memory);
 
   /// How often, so far, a clamp stayed where it was because what is known of its frame was of no use.
   std::uint64_t ignored() const { return tracker_.ignored(); }

@@ -16,6 +16,9 @@ using SteadyTime = std::chrono::steady_clock::time_point;
 /// ROS time [ns]. Plain integers, because differences of ros::Time throw where a hostile stamp makes them overflow.
 using Nanoseconds = std::int64_t;
 
+/// Whether it is one that a message can say: from 1970 on, in seconds of 32 bits.
+inline bool isRosTime(Nanoseconds time) { return 0 <= time && time < Nanoseconds{1'000'000'000} << 32; }
+
 /// Where a tool's link shall go.
 struct ToolPose {
   int tool;  ///< index of it

@@ -29,6 +29,23 @@ struct FollowedLink {
   double reach = 0;                ///< [m] of what belongs to it from its origin
 };
 
+/// What of a followed link outlasts a step.
+struct FollowedLinkMemory {
+  Pose pose;  ///< where it is
+  std::optional<Pose> target;
+  std::optional<Nanoseconds> age;  ///< of the target, when the last step started; none: it holds for all times
+  Approach approach;               ///< to the target
+  bool found = false;              ///< since the start
+};
+
+template <class Archive>
+void serialize(Archive& archive, FollowedLinkMemory& memory) {
+  auto& [pose, target, age, approach, found] = memory;
+  archive(pose, target, age, approach, found);
+}
+
+void check(const std::vector<FollowedLinkMemory>& memory, const MemoryLimits& limits);
+
 /// The obstacles' links, which are where the description has them until they are heard of.
 std::vector<FollowedLink> linksOf(const Obstacles& obstacles);
 
@@ -39,12 +56,17 @@ class LinkTracker {
   /// `time_step` [s].
   LinkTracker(LinkLookup lookup, const std::vector<FollowedLink>& links, double time_step);
 
-  /// The links that go somewhere in the next step: to where they are at `end`, the ROS time at which the step ends;
-  /// where that is not known yet, or `end` is 0, to where they were at last.
-  std::vector<LinkMove> follow(Nanoseconds end);
+  /// The links that go somewhere in the next step, which starts at the ROS time `now`: to where they are at `end`, when
+  /// it ends; where that is not known yet, or `end` is 0, to where they were at last.
+  std::vector<LinkMove> follow(Nanoseconds now, Nanoseconds end);
 
   /// Each link is where it started, until it is heard of again.
   void restart();
+
+  /// Goes on as if no time had passed since the step before keep(): transforms are as old as then. `memory` is of as
+  /// many links.
+  std::vector<FollowedLinkMemory> keep() const;
+  void recall(const std::vector<FollowedLinkMemory>& memory);
 
   /// Where the links are, or are going in the step asked for last; the identity where that is not known.
   const std::vector<Pose>& poses() const { return poses_; }
@@ -59,16 +81,19 @@ class LinkTracker {
   struct Link {
     FollowedLink followed;
     std::optional<Pose> target;
-    Nanoseconds stamp = 0;  ///< of the target
-    Approach approach;      ///< to the target
-    bool found = false;     ///< since the start
+    Nanoseconds stamp = 0;
+    Approach approach;
+    bool found = false;
   };
+  void resume(Nanoseconds now);
   void aim(const StampedPose& target, Link* link, LinkMove* move) const;
 
   LinkLookup lookup_;
   const double time_step_;
   std::vector<Link> links_;
   std::vector<Pose> poses_;
+  Nanoseconds last_call_ = 0;  ///< `now` of it
+  bool resumed_ = false;       ///< stamps are less the last call's, which is still to be known
 };
 
 }  // namespace incision

@@ -47,8 +47,8 @@ class ToolQueue {
   /// What is stamped up to `time`.
   ToolInput take(Nanoseconds time);
 
-  /// Forgets all but the count of poses left out.
-  void clear();
+  /// Forgets all but the count of poses left out, and whether the blade is on.
+  void clear(bool active);
 
   /// Poses and angles left out, so far.
   std::uint64_t thinned() const { return thinned_; }

@@ -27,6 +27,37 @@ struct ToolMove {
   bool came_again = false;     ///< poses, after they had gone stale
 };
 
+/// What of a ToolTracker outlasts a step.
+struct ToolTrackerMemory {
+  struct Waiting {
+    Pose pose;
+    bool active = true;   ///< the blade is on on the way there
+    Nanoseconds age = 0;  ///< at the step asked for last
+  };
+  std::vector<Waiting> waiting;
+  std::optional<Pose> last;  ///< newest pose that is on the way
+  bool active = true;        ///< the blade is on on the way to it
+  Nanoseconds age = 0;       ///< of it, at the step asked for last
+  Pose pose;                 ///< of the tool after that step
+  std::vector<Pose> way;     ///< from there
+  Approach approach;         ///< to its end
+  bool stale = false;
+};
+
+template <class Archive>
+void serialize(Archive& archive, ToolTrackerMemory::Waiting& waiting) {
+  auto& [pose, active, age] = waiting;
+  archive(pose, active, age);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ToolTrackerMemory& memory) {
+  auto& [waiting, last, active, age, pose, way, approach, stale] = memory;
+  archive(waiting, last, active, age, pose, way, approach, stale);
+}
+
+void check(const ToolTrackerMemory& memory, const MemoryLimits& limits);
+
 /// Turns the tool's poses into its path in each step. When several came since the last step, all of them are the path;
 /// one that comes more seldom than steps is approached evenly in the time since the one before it. The tool is put at
 /// the first pose, and at one beyond `tool.max_step` from the one before it: a jump. A jump, or a switch of the blade,
@@ -41,8 +72,12 @@ class ToolTracker {
   /// then, and 0 as now. In a `single` step, of a paused body, all poses are gone through and no time passes.
   ToolMove follow(const ToolInput& input, Nanoseconds now, bool single);
 
-  /// There is no pose yet.
-  void restart();
+  /// There is no pose yet, or only a stale one at which the tool stands.
+  void restart(const std::optional<Pose>& at = std::nullopt);
+
+  /// Goes on as if no time had passed since the step before keep(): its poses are as old as then.
+  ToolTrackerMemory keep() const;
+  void recall(const ToolTrackerMemory& memory);
 
   /// The newest pose is older than `tool.timeout`: the tool stays where it is, the rest of its way is dropped. It
   /// goes on with the next pose, in the same stroke unless that is a jump.
@@ -52,6 +87,7 @@ class ToolTracker {
   std::uint64_t jumps() const { return jumps_; }
 
  private:
+  void resume(Nanoseconds now, bool single);
   void admit(const std::vector<ReceivedPose>& poses, Nanoseconds now, ToolMove* move);
   void dropOldest();
   bool jumps(const std::optional<Pose>& from, const Pose& to) const;
@@ -71,6 +107,7 @@ class ToolTracker {
   std::vector<Pose> way_;  ///< from there
   Approach approach_;      ///< to its end
   Nanoseconds last_call_ = 0;
+  bool resumed_ = false;  ///< times are less the last call's, which is still to be known
   bool stale_ = false;
   std::uint64_t jumps_ = 0;
 };

@@ -13,6 +13,7 @@
 #include "incision/pace/pacer.h"
 #include "incision/pace/real_time_factor.h"
 #include "incision/pace/stepping_tasks.h"
+#include "incision/ros/checkpoint_server.h"
 #include "incision/ros/command_input.h"
 #include "incision/ros/marker_publisher.h"
 #include "incision/ros/tool_driver.h"
@@ -41,6 +42,10 @@ class IncisionNode {
   bool resetService(Trigger::Request& request, Trigger::Response& response);
   void setPaused(bool paused);
   void reset();
+  void dropWaiting(const std::string& why, const std::vector<bool>& active = {});
+  void startAnew();
+  SavedState save() const;
+  void restore(const SavedState& state);
 
   bool applyCuts(bool step_due);
   void applyCut(const PlaneCut& plane);
@@ -79,6 +84,7 @@ class IncisionNode {
   LinkTracker obstacles_;
   ClampTracker clamps_;
   std::vector<ToolDriver> tools_;
+  CheckpointServer checkpoints_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -13,8 +13,11 @@ struct NodeSettings {
   Descriptions descriptions;                     ///< ~tool_description, ~obstacle_description
   double marker_rate = 15;                       ///< ~marker_rate [Hz], 0 … 1000; 0: no markers
   MarkerField marker_field = MarkerField::NONE;  ///< ~marker_field: what the colours of ~markers tell
-  double transform_timeout = 1;  ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
-  double max_lag = 5;            ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for
+  double transform_timeout = 1;   ///< ~transform_timeout [s], 0 … 60: how long a command waits for its transform
+  double max_lag = 5;             ///< ~max_lag [s], 1 … 1e6: lag behind /clock that is made up for
+  std::string checkpoint_folder;  ///< ~checkpoint_folder: where checkpoints outlast the node; empty: nowhere
+  double autosave = 0;  ///< ~autosave [s], 0.1 … 1e6: how old the newest checkpoint becomes at most; 0: saves none
+  std::string restore;  ///< ~restore: the checkpoint to start from, or `last`; empty: none
 };
 
 /// Reads and checks them all. Throws InputError with parameter, value and what is allowed, and for a parameter that the

@@ -18,8 +18,25 @@ namespace incision {
 struct StepTime {
   Nanoseconds start;    ///< on the steady clock; with use_sim_time, ROS time
   Nanoseconds end;      ///< ROS time; 0: not known
+  Nanoseconds ros;      ///< ROS time at the start
   bool single = false;  ///< of a paused body
 };
+
+/// What of a ToolDriver outlasts a step.
+struct ToolDriverMemory {
+  ToolTrackerMemory tracker;
+  JawTrackerMemory jaw;
+  std::optional<Nanoseconds> frame_stamp;
+  bool active = true;  ///< as it was told last
+};
+
+template <class Archive>
+void serialize(Archive& archive, ToolDriverMemory& memory) {
+  auto& [tracker, jaw, frame_stamp, active] = memory;
+  archive(tracker, jaw, frame_stamp, active);
+}
+
+void check(const ToolDriverMemory& memory, const MemoryLimits& limits);
 
 /// Leads one of the body's tools along its poses, which come in messages or from tf, and publishes, in the words of
 /// the collaborative robotics toolkit, where it is (`measured_cp`, `jaw/measured_js`) and what it feels
@@ -40,6 +57,11 @@ class ToolDriver {
 
   /// Before a reset of the body: takes the tool away until the next pose. Returns the stroke that ended with that.
   std::optional<CutResult> restart(DeformableBody* body);
+
+  ToolDriverMemory keep() const { return {tracker_.keep(), jaw_.keep(), frame_stamp_, told_active_}; }
+  void recall(const ToolDriverMemory& memory);
+  /// Goes on with a tool that stands there, if it is in place, and that nobody led.
+  void takeOver(const std::optional<Pose>& pose);
 
   /// What is known of the tool, but for the messages refused.
   ToolState state(const StepResult& step, const DeformableBody& body) const;
@@ -62,7 +84,7 @@ class ToolDriver {
   std::optional<Nanoseconds> frame_stamp_;
   ToolTracker tracker_;
   JawTracker jaw_;
-  bool active_ = true;
+  bool active_ = true, told_active_ = true;
   bool valid_ = false;                  ///< the last wrench was
   std::optional<SteadyTime> received_;  ///< newest pose that the last step was the first to follow
   double latency_ = 0;                  ///< [s]

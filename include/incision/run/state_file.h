@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
-#include "incision/run/scene_key.h"
+#include "incision/run/saved_state.h"
 
 namespace incision {
-
-/// The number of the form in which bodies are saved. It grows with every change of what outlasts a step, and of the
-/// file round it.
-inline constexpr std::uint32_t STATE_FORMAT = 1;
 
 /// A file that a body is to be saved in. What is at its path stays as it is until the new file is whole.
 class StateFile {
@@ -23,9 +18,9 @@ class StateFile {
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
-  /// Saves the body and puts the file in its place, once. Throws std::system_error, with what is at the path unchanged,
-  /// where the disk does not take it.
-  void save(const DeformableBody& body, const SceneKey& key);
+  /// Writes what packed() has made and puts the file in its place, once. Throws std::system_error, with what is at the
+  /// path unchanged, where the disk does not take it.
+  void save(const std::string& bytes);
 
  private:
   void write(const std::string& bytes) const;
@@ -34,9 +29,12 @@ class StateFile {
   int file_ = -1;
 };
 
-/// Restores a body from a file, as DeformableBody::restore does. Throws InputError with the file, what is wrong with it
-/// and what is allowed, and with the body as it was: where the file is cut short or damaged, of another format, of
-/// another scene or mesh, or holds what no body can be.
+/// Reads such a file, on up to `threads` threads. Throws InputError with the file, what is wrong with it and what is
+/// allowed, where it is cut short or damaged, of another format, or of another scene or mesh.
+SavedState readState(const std::string& path, const SceneKey& key, int threads);
+
+/// Restores a body from a file, as DeformableBody::restore does. Throws InputError likewise, and where the file holds
+/// what no body can be: the body is then as it was.
 void restoreState(const std::string& path, const SceneKey& key, DeformableBody* body);
 
 }  // namespace incision

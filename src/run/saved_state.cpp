@@ -1,4 +1,4 @@
-#include "state_bytes.h"
+#include "incision/run/saved_state.h"
 
 #include <xxhash.h>
 #include <zstd.h>
@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <ostream>
 #include <sstream>
+#include <stdexcept>
+#include <streambuf>
 #include <vector>
 
 #include "incision/base/archive.h"
@@ -44,14 +47,31 @@ void serialize(Archive& archive, StateSection& section) {
 struct StateHeader {
   std::string version;  ///< of the package
   SceneKey key;
+  std::uint64_t body = 0;  ///< how long it is; what leads it comes behind
   std::vector<StateSection> sections;
 };
 
 template <class Archive>
 void serialize(Archive& archive, StateHeader& header) {
-  auto& [version, key, sections] = header;
-  archive(version, key, sections);
+  auto& [version, key, body, sections] = header;
+  archive(version, key, body, sections);
 }
+
+/// Appends to a text that it gives away in the end.
+class StringBuffer : public std::streambuf {
+ public:
+  std::string text;
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    text.append(bytes, static_cast<std::size_t>(count));
+    return count;
+  }
+  int_type overflow(int_type byte) override {
+    text.push_back(traits_type::to_char_type(byte));
+    return byte;
+  }
+};
 
 /// What comes before the header.
 struct Start {
@@ -71,7 +91,7 @@ std::size_t mostBytes(const SceneKey& key) {
 }
 
 void checkStart(const Start& start, std::size_t size) {
-  if (start.magic != MAGIC) throw InputError("not a saved body (allowed: a file that --save has written)");
+  if (start.magic != MAGIC) throw InputError("not a saved body");
   if (start.format != STATE_FORMAT)
     throw InputError("of format " + std::to_string(start.format) + " (allowed: " + std::to_string(STATE_FORMAT) + ")");
   if (start.length > size - sizeof(Start)) throw InputError("cut short");
@@ -126,15 +146,24 @@ bool unpackSection(const StateSection& section, const std::string& stored, char*
 
 }  // namespace
 
-std::string packed(const std::string& body, const SceneKey& key, int threads) {
-  if (body.size() > mostBytes(key))
-    throw std::length_error("the body takes " + std::to_string(body.size()) + " bytes (allowed: up to " +
+SavedState savedState(const DeformableBody& body) {
+  StringBuffer buffer;
+  std::ostream out(&buffer);
+  out.exceptions(std::ostream::badbit);  // or memory that is used up would cut the text short in silence
+  body.save(out);
+  return {std::move(buffer.text), {}};
+}
+
+std::string packed(const SavedState& state, const SceneKey& key, int threads) {
+  const std::string all = state.body + state.leads;
+  if (all.size() > mostBytes(key))
+    throw std::length_error("the body takes " + std::to_string(all.size()) + " bytes (allowed: up to " +
                             std::to_string(mostBytes(key)) + " for this mesh)");
-  const auto count = static_cast<int>((body.size() + SECTION - 1) / SECTION);
+  const auto count = static_cast<int>((all.size() + SECTION - 1) / SECTION);
   std::vector<std::string> sections(count);
-  StateHeader header{INCISION_VERSION, key, std::vector<StateSection>(count)};
+  StateHeader header{INCISION_VERSION, key, state.body.size(), std::vector<StateSection>(count)};
   parallelFor(count, threads, [&](int i) {
-    const std::string_view bytes = std::string_view(body).substr(i * SECTION, SECTION);
+    const std::string_view bytes = std::string_view(all).substr(i * SECTION, SECTION);
     sections[i] = packedSection(bytes);
     header.sections[i] = {static_cast<std::uint32_t>(bytes.size()), static_cast<std::uint32_t>(sections[i].size()),
                           XXH3_64bits(sections[i].data(), sections[i].size())};
@@ -152,8 +181,8 @@ std::string packed(const std::string& body, const SceneKey& key, int threads) {
   return file;
 }
 
-std::string unpacked(const std::function<void(char* to, std::size_t count)>& read, std::size_t size,
-                     const SceneKey& key, int threads) {
+SavedState unpacked(const std::function<void(char* to, std::size_t count)>& read, std::size_t size, const SceneKey& key,
+                    int threads) {
   if (size < sizeof(Start)) throw InputError("cut short, or not a saved body");
   Start start;
   read(reinterpret_cast<char*>(&start), sizeof(start));
@@ -165,7 +194,10 @@ std::string unpacked(const std::function<void(char* to, std::size_t count)>& rea
   ArchiveReader archive(said);
   archive(header);
   checkKey(header, key);
-  std::string body(checkSections(header.sections, size - sizeof(start) - said.size(), key), '\0');
+  SavedState state;
+  std::string& body = state.body;
+  body.resize(checkSections(header.sections, size - sizeof(start) - said.size(), key));
+  if (header.body > body.size()) throw InputError("damaged: it is longer than its sections");
 
   const std::size_t count = header.sections.size();
   std::vector<std::string> sections(count);
@@ -182,7 +214,19 @@ std::string unpacked(const std::function<void(char* to, std::size_t count)>& rea
     if (!fits[i])
       throw InputError("damaged: its section " + std::to_string(i + 1) + " of " + std::to_string(count) +
                        " is not the one that was written");
-  return body;
+  state.leads = body.substr(header.body);
+  body.resize(header.body);
+  return state;
+}
+
+SavedState unpacked(std::string_view file, const SceneKey& key, int threads) {
+  const std::size_t size = file.size();
+  const auto read = [&](char* to, std::size_t count) {
+    if (count > file.size()) throw InputError("cut short");
+    std::memcpy(to, file.data(), count);
+    file.remove_prefix(count);
+  };
+  return unpacked(read, size, key, threads);
 }
 
 }  // namespace incision

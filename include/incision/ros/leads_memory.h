@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incision/pace/link_tracker.h"
+#include "incision/ros/tool_driver.h"
+
+namespace incision {
+
+/// How the node leads what moves, as far as that outlasts a step: each tool, each link of the obstacles, each clamp
+/// that has a frame.
+struct LeadsMemory {
+  std::vector<ToolDriverMemory> tools;
+  std::vector<FollowedLinkMemory> obstacles, clamps;
+
+  /// Which tools do what their kind does.
+  std::vector<bool> active() const;
+};
+
+std::string toBytes(const LeadsMemory& memory);
+
+/// From such bytes, of as many tools, links and clamps as `alike` has; nothing from none. Throws InputError where no
+/// node can have been so.
+std::optional<LeadsMemory> readLeads(const std::string& bytes, const LeadsMemory& alike);
+
+}  // namespace incision
