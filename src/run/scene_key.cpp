@@ -3,9 +3,11 @@
 #include <xxhash.h>
 
 #include <cereal/types/variant.hpp>
+#include <cmath>
 #include <memory>
 #include <ostream>
 #include <streambuf>
+#include <vector>
 
 #include "incision/base/archive.h"
 
@@ -180,11 +182,34 @@ std::uint64_t hashOf(const Values&... values) {
   return buffer.hash();
 }
 
+/// What files of meshes make of shapes: how large each is, and how far away and where its surface is from the corners
+/// of a cube within it and from those of one round it.
+void addForms(const Obstacles& obstacles, std::vector<double>* forms) {
+  for (const Obstacle& shape : obstacles.shapes) {
+    const Solid& solid = *shape.solid;
+    const double reach = std::isfinite(solid.reach()) ? solid.reach() : 1;
+    forms->push_back(reach);
+    for (int corner = 0; corner < 8; ++corner)
+      for (const double share : {0.1, 0.3, 0.9}) {
+        const Vec3 way(corner % 2 == 0 ? -1 : 1, corner / 2 % 2 == 0 ? -1 : 1, corner / 4 == 0 ? -1 : 1);
+        const SolidDistance at = solid.distanceTo(share * reach * way);
+        forms->insert(forms->end(), {at.distance, at.normal.x(), at.normal.y(), at.normal.z()});
+      }
+  }
+}
+
+std::vector<double> formsOf(const DeformableBody& body) {
+  std::vector<double> forms;
+  addForms(body.obstacles(), &forms);
+  for (std::size_t i = 0; i < body.tools(); ++i) addForms(body.toolForm(i).shapes, &forms);
+  return forms;
+}
+
 }  // namespace
 
 SceneKey keyOf(const DeformableBody& body, const Descriptions& descriptions) {
   const TetMesh& mesh = body.mesh().mesh();
-  return {hashOf(body.scene(), descriptions), hashOf(mesh), static_cast<std::int64_t>(mesh.nodes.size()),
+  return {hashOf(body.scene(), descriptions, formsOf(body)), hashOf(mesh), static_cast<std::int64_t>(mesh.nodes.size()),
           static_cast<std::int64_t>(mesh.elements.size())};
 }
 

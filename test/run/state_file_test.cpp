@@ -14,6 +14,7 @@
 #include "incision/base/input_error.h"
 #include "support/batch_folder.h"
 #include "support/sanitized.h"
+#include "support/solid_meshes.h"
 
 namespace incision {
 namespace {
@@ -185,6 +186,22 @@ TEST_F(StateFiles, OfAnotherSceneOrMeshAreRefusedButNotForThreads) {
 
   restoreState(file("ten.state"), keyWith({"solver.threads=7"}), body_.get());
   EXPECT_EQ(body_->steps(), 10);
+}
+
+TEST_F(StateFiles, OfOtherMeshesInTheSameUrdfAreRefused) {
+  put(file("room.urdf"),
+      "<robot name='room'><link name='post'><collision><geometry><mesh filename='post.stl'/></geometry></collision>"
+      "</link></robot>");
+  const auto keyWithPost = [&](double size) {
+    TriangleMesh post = test::angleMesh();
+    for (Vec3& vertex : post.vertices) vertex *= size;
+    put(file("post.stl"), test::asBinaryStl(post));
+    const Scene scene = loadScene(file("bar.yaml"), {"contact.obstacles=room.urdf"});
+    const Descriptions descriptions = loadDescriptions(scene);
+    return keyOf(DeformableBody(scene, loadMesh(scene), descriptions), descriptions);
+  };
+  EXPECT_EQ(keyWithPost(1).scene, keyWithPost(1).scene);
+  EXPECT_NE(keyWithPost(1).scene, keyWithPost(1.01).scene);
 }
 
 TEST_F(StateFiles, ThatCannotBeReadOrWrittenAreToldOf) {

@@ -8,7 +8,7 @@ namespace incision {
 
 /// What two bodies have alike when one can go on where the other was saved.
 struct SceneKey {
-  std::uint64_t scene = 0;  ///< hash of all that the scene says but `solver.threads`, and of the URDFs that it names
+  std::uint64_t scene = 0;  ///< hash of all that the scene says but `solver.threads`, and of the files that it names
   std::uint64_t mesh = 0;   ///< hash of the mesh as it stands in the body, its groups included
   std::int64_t nodes = 0, elements = 0;
 };
