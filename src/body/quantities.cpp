@@ -1,5 +1,7 @@
 #include "incision/body/quantities.h"
 
+#include <cinttypes>
+#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
@@ -62,6 +64,12 @@ std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, std::size_t t
     quantities.push_back({"gripped", report.gripped});
   }
   return quantities;
+}
+
+std::string hexadecimal(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016" PRIx64, value);
+  return digits;
 }
 
 std::string describe(const DeformableBody& body) {

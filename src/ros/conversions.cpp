@@ -1,7 +1,5 @@
 #include "incision/ros/conversions.h"
 
-#include <cinttypes>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -90,12 +88,6 @@ CrackEvent toEvent(const CrackResult& result) {
   return event;
 }
 
-std::string toHex(std::uint64_t hash) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016" PRIx64, hash);
-  return digits;
-}
-
 namespace {
 
 template <typename Field, typename Value>
@@ -144,7 +136,7 @@ const std::map<std::string, Setter> FIELDS = {{"nodes", into(&BodyState::nodes)}
 void fillState(const DeformableBody& body, const StepResult& last_step, BodyState* state) {
   state->step = body.steps();
   state->time = body.time();
-  state->state_hash = toHex(body.stateHash());
+  state->state_hash = hexadecimal(body.stateHash());
   for (const Quantity& quantity : quantitiesOf(body, last_step)) FIELDS.at(quantity.name)(quantity, state);
 }
 

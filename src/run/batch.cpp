@@ -2,11 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <iomanip>
 #include <iostream>
-#include <optional>
+#include <sstream>
 #include <utility>
 
 #include "incision/base/input_error.h"
@@ -14,45 +14,16 @@
 #include "incision/body/deformable_body.h"
 #include "incision/body/quantities.h"
 #include "incision/body/remarks.h"
-#include "incision/run/output_file.h"
-#include "incision/run/run_record.h"
 #include "incision/run/run_summary.h"
-#include "incision/run/snapshot.h"
-#include "incision/run/snapshot_series.h"
 #include "incision/run/state_file.h"
 #include "incision/scene/scene.h"
+#include "run_outputs.h"
 
 namespace incision {
 
 namespace {
 
 volatile std::sig_atomic_t stop_asked = 0;
-
-constexpr const char* HELP =
-    R"(usage: incision_batch SCENE.yaml [options]
-
-Runs a scene and ends with one line of JSON on standard output.
-
-  --steps N          steps to take (default 100; 0 only loads the scene)
-  --set KEY=VALUE    replaces or adds one value of the scene, such as
-                     solver.time_step=0.005 or cuts.0.normal=[1,0,0]; may be given often
-  --threads N        short for --set solver.threads=N
-  --record RUN.csv   one row a step: counts, momentum, energies, solver
-  --positions END.txt
-                     `x y z` of every mesh node at the end, in mesh order
-  --snapshot END.vtu the surface and its stress at the end, for ParaView
-  --volume END.vtu   the parts, likewise, with their displacements and regions
-  --series RUN.pvd   both at the start, after every so many steps, and at the end
-  --every N          how many steps for --series (default 10)
-  --save END.state   all that outlasts the last step, to go on from
-  --restore START.state
-                     goes on where --save has left off with the same scene;
-                     --steps counts from there
-  --help             this text
-
-Ctrl-C ends the run after the current step, outputs included.
-Exit status: 0 done, 1 a step failed or an output could not be written, 2 bad input.
-)";
 
 // One line on a terminal that says how far the run is; nothing elsewhere.
 class Progress {
@@ -81,137 +52,110 @@ class Progress {
   std::chrono::steady_clock::time_point next_;
 };
 
-struct Outputs {
-  std::optional<RunRecord> record;
-  std::optional<SnapshotSeries> series;
-  std::optional<std::ofstream> positions, snapshot, volume;
-  std::optional<StateFile> state;
+// What a run consists of.
+struct Run {
+  const BatchProgram& program;
+  const BatchOptions& options;
+  DeformableBody& body;
+  StepSource* source;  // none: the scene alone
+  std::ostream& err;
+
+  void say(const std::string& line) const { err << program.name << ": " << line << std::endl; }
 };
 
-// Opened before the run, so that hours of it are not lost to a misspelt folder.
-Outputs openOutputs(const BatchOptions& options, const DeformableBody& body) {
-  Outputs outputs;
-  if (!options.record.empty()) outputs.record.emplace(options.record, body);
-  if (!options.positions.empty()) outputs.positions = openOutput(options.positions);
-  if (!options.snapshot.empty()) outputs.snapshot = openOutput(options.snapshot);
-  if (!options.volume.empty()) outputs.volume = openOutput(options.volume);
-  if (!options.series.empty()) outputs.series.emplace(options.series, options.every);
-  if (!options.save.empty()) outputs.state.emplace(options.save);
-  return outputs;
-}
-
-void reportCuts(const std::vector<CutResult>& cuts, double time, std::ostream& err) {
-  for (const CutResult& cut : cuts) {
-    if (cut.status == CutStatus::APPLIED) continue;
-    err << "incision_batch: cut '" << printable(cut.label) << "' at " << time << " s "
-        << (cut.status == CutStatus::MISSED ? "missed: " : "was rejected: ") << cut.reason << std::endl;
-  }
+// What there is to say before or after a step, with the progress out of its way.
+void sayRemarks(const Run& run, const std::vector<CutResult>& cuts, double time, Progress* progress) {
+  std::vector<std::string> remarks;
+  if (run.source != nullptr) remarks = run.source->takeRemarks();
+  for (const CutResult& cut : cuts)
+    if (run.source == nullptr && cut.status != CutStatus::APPLIED) remarks.push_back(remarkOn(cut, time));
+  if (!remarks.empty()) progress->clear();
+  for (const std::string& remark : remarks) run.say(remark);
 }
 
 // Whether all steps could be taken.
-bool takeSteps(const BatchOptions& options, DeformableBody& body, Outputs& outputs, StepStatistics& statistics,
-               std::ostream& err) {
-  const std::int64_t last = body.steps() + options.steps;
-  Progress progress(err, last);
-  if (outputs.series) outputs.series->add(body);
+bool takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) {
+  DeformableBody& body = run.body;
+  const std::int64_t steps = run.source != nullptr ? run.source->steps() : run.options.steps;
+  const std::int64_t last = body.steps() + run.options.steps;
+  Progress progress(run.err, body.steps() + std::min(steps, run.options.steps));
+  outputs.start(body);
   try {
-    while (body.steps() < last && !stop_asked) {
+    while (body.steps() < last && !stop_asked && (run.source == nullptr || run.source->prepare())) {
       const double time = body.time();
       const StepResult step = body.step();
       statistics.add(step);
-      if (!step.cuts.empty()) progress.clear();
-      reportCuts(step.cuts, time, err);
-      if (outputs.record) outputs.record->write(body, step);
-      if (outputs.series) outputs.series->add(body);
+      if (run.source != nullptr) run.source->taken(step);
+      sayRemarks(run, step.cuts, time, &progress);
+      outputs.add(body, step);
       progress.show(body, step.step_ms);
     }
+    if (run.source != nullptr) run.source->finish({});
+    sayRemarks(run, {}, body.time(), &progress);
   } catch (const StepFailed& failure) {
+    const std::vector<CutResult> cuts = body.takeReports().cuts;
+    if (run.source != nullptr) run.source->finish(cuts);
+    sayRemarks(run, cuts, body.time(), &progress);
     progress.clear();
-    reportCuts(body.takeReports().cuts, body.time(), err);
-    err << "incision_batch: step " << body.steps() + 1 << " failed: " << failure.what() << std::endl;
+    run.say("step " + std::to_string(body.steps() + 1) + " failed: " + failure.what());
     return false;
   }
   return true;
 }
 
-// Whether the body reached its file.
-bool saveState(const BatchOptions& options, const DeformableBody& body, const SceneKey& key, Outputs& outputs,
-               std::ostream& err) {
-  if (!outputs.state) return true;
-  try {
-    outputs.state->save(packed(savedState(body), key, body.scene().solver.threads));
-    return true;
-  } catch (const std::exception& error) {  // of the disk, or of memory
-    err << "incision_batch: " << printable(options.save) << ": could not be written: " << error.what() << std::endl;
-    return false;
-  }
-}
-
-// Whether everything reached its file.
-bool writeOutputs(const BatchOptions& options, const DeformableBody& body, Outputs& outputs, std::ostream& err) {
-  bool all_written = true;
-  const auto check = [&](const std::string& path, bool written) {
-    if (!written) err << "incision_batch: " << printable(path) << ": could not be written to the end" << std::endl;
-    all_written = all_written && written;
-  };
-  if (outputs.record) check(options.record, outputs.record->good());
-  if (outputs.positions) {
-    writePositions(*outputs.positions, body);
-    check(options.positions, static_cast<bool>(outputs.positions->flush()));
-  }
-  if (outputs.snapshot) {
-    writeSnapshot(*outputs.snapshot, body);
-    check(options.snapshot, static_cast<bool>(outputs.snapshot->flush()));
-  }
-  if (outputs.volume) {
-    writeVolumeSnapshot(*outputs.volume, body);
-    check(options.volume, static_cast<bool>(outputs.volume->flush()));
-  }
-  if (outputs.series) {
-    outputs.series->add(body, true);
-    check(options.series, outputs.series->good());
-  }
-  return all_written;
-}
-
-BatchStatus run(const BatchOptions& options, std::ostream& out, std::ostream& err) {
-  const Scene scene = loadScene(options.scene, options.overrides);
+BatchStatus runScene(const BatchProgram& program, const BatchOptions& options, std::ostream& out, std::ostream& err) {
+  const Scene scene = program.load(options);
   std::vector<std::string> notes;
   TetMesh mesh = loadMesh(scene, &notes);
   const Descriptions descriptions = loadDescriptions(scene);
   DeformableBody body(scene, std::move(mesh), descriptions);
   const bool keyed = !options.restore.empty() || !options.save.empty();
   const SceneKey key = keyed ? keyOf(body, descriptions) : SceneKey();
-  if (!options.restore.empty()) restoreState(options.restore, key, &body);
+  std::string leads;
+  if (!options.restore.empty()) leads = restoreState(options.restore, key, &body);
   for (const std::string& remark : remarksOn(body.scene(), body.mesh())) notes.push_back("warning: " + remark);
   for (const std::string& remark : remarksOnShapes(body)) notes.push_back("warning: " + remark);
   body.wantWrenches(!options.record.empty());
-  Outputs outputs = openOutputs(options, body);
+  const std::unique_ptr<StepSource> source = program.open ? program.open(options, &body) : nullptr;
+  if (source && !options.restore.empty()) source->recall(leads);
+  RunOutputs outputs(options, body);
   notes.push_back(describe(body));
-  for (const std::string& note : notes) err << "incision_batch: " << note << std::endl;
+  const Run run = {program, options, body, source.get(), err};
+  for (const std::string& note : notes) run.say(note);
   StepStatistics statistics;
-  const bool stepped = takeSteps(options, body, outputs, statistics, err);
-  const bool saved = saveState(options, body, key, outputs, err);
-  const bool written = writeOutputs(options, body, outputs, err);
-  out << summaryLine(body, statistics) << std::endl;
-  return stepped && saved && written && out ? BatchStatus::DONE : BatchStatus::FAILED;
+  const bool stepped = takeSteps(run, outputs, statistics);
+  const bool written = outputs.finish(body, source ? source->leads() : "", key, program.name, err);
+  out << summaryLine(body, statistics, source.get()) << std::endl;
+  return stepped && written && out ? BatchStatus::DONE : BatchStatus::FAILED;
 }
 
 }  // namespace
 
-BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+std::string remarkOn(const CutResult& cut, double time) {
+  std::ostringstream remark;
+  remark << "cut '" << printable(cut.label) << "' at " << time << " s "
+         << (cut.status == CutStatus::MISSED ? "missed: " : "was rejected: ") << cut.reason;
+  return remark.str();
+}
+
+BatchStatus runProgram(const BatchProgram& program, const std::vector<std::string>& arguments, std::ostream& out,
+                       std::ostream& err) {
   try {
-    const BatchOptions options = parseBatchArguments(arguments);
-    if (!options.help) return run(options, out, err);
-    out << HELP;
+    const BatchOptions options = parseArguments(program, arguments);
+    if (!options.help) return runScene(program, options, out, err);
+    out << helpOf(program);
     return BatchStatus::DONE;
   } catch (const InputError& error) {
-    err << "incision_batch: " << error.what() << std::endl;
+    err << program.name << ": " << error.what() << std::endl;
     return BatchStatus::BAD_INPUT;
   } catch (const std::bad_alloc&) {
-    err << "incision_batch: not enough memory for this scene" << std::endl;
+    err << program.name << ": not enough memory for this scene" << std::endl;
     return BatchStatus::FAILED;
   }
+}
+
+BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  return runProgram(BATCH, arguments, out, err);
 }
 
 void stopBatch() { stop_asked = 1; }

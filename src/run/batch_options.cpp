@@ -10,8 +10,26 @@ namespace incision {
 
 namespace {
 
-// More would outgrow memory with the times of the steps alone.
-constexpr std::int64_t MAX_STEPS = 10'000'000;
+constexpr const char* OPTIONS =
+    R"(  --set KEY=VALUE    replaces or adds one value of the scene, such as
+                     solver.time_step=0.005 or cuts.0.normal=[1,0,0]; may be given often
+  --threads N        short for --set solver.threads=N
+  --record RUN.csv   one row a step: counts, momentum, energies, solver
+  --positions END.txt
+                     `x y z` of every mesh node at the end, in mesh order
+  --snapshot END.vtu the surface and its stress at the end, for ParaView
+  --volume END.vtu   the parts, likewise, with their displacements and regions
+  --series RUN.pvd   both at the start, after every so many steps, and at the end
+  --every N          how many steps for --series (default 10)
+  --save END.state   all that outlasts the last step, to go on from
+  --restore START.state
+                     goes on where --save has left off with the same scene;
+                     --steps counts from there
+  --help             this text
+
+Ctrl-C ends the run after the current step, outputs included.
+Exit status: 0 done, 1 a step failed or an output could not be written, 2 bad input.
+)";
 
 std::int64_t parseSteps(const char* option, std::int64_t least, const std::string& text) {
   std::int64_t steps = 0;
@@ -40,11 +58,38 @@ std::map<std::string, Taker> optionTakers(BatchOptions& options) {
           {"--every", [&](const std::string& value) { options.every = parseSteps("--every", 1, value); }}};
 }
 
+// Those that come first and have no option before them, by what an error calls them.
+struct Positional {
+  const char* name;
+  std::string* value;
+};
+
 }  // namespace
 
-BatchOptions parseBatchArguments(const std::vector<std::string>& arguments) {
+const BatchProgram BATCH = {"incision_batch",
+                            R"(usage: incision_batch SCENE.yaml [options]
+
+Runs a scene and ends with one line of JSON on standard output.
+
+  --steps N          steps to take (default 100; 0 only loads the scene)
+)",
+                            false,
+                            [](const BatchOptions& options) { return loadScene(options.scene, options.overrides); },
+                            {}};
+
+std::string helpOf(const BatchProgram& program) { return std::string(program.usage) + OPTIONS; }
+
+BatchOptions parseArguments(const BatchProgram& program, const std::vector<std::string>& arguments) {
   BatchOptions options;
-  const std::map<std::string, Taker> takers = optionTakers(options);
+  std::map<std::string, Taker> takers = optionTakers(options);
+  std::vector<Positional> places = {{"scene file", &options.scene}};
+  if (program.runs_bag) {
+    options.steps = MAX_STEPS;
+    takers["--node"] = [&](const std::string& value) { options.node = value; };
+    places.insert(places.begin(), {"bag", &options.bag});
+  }
+  const std::string more = " (" + std::string(program.name) + " --help ";
+  auto place = places.begin();
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     const auto taker = takers.find(argument);
@@ -57,15 +102,18 @@ BatchOptions parseBatchArguments(const std::vector<std::string>& arguments) {
       if (i == arguments.size() || arguments[i].empty()) throw InputError(argument + ": its value is missing");
       taker->second(arguments[i]);
     } else if (argument.size() > 1 && argument[0] == '-') {
-      throw InputError("unknown option " + printable(argument) + " (incision_batch --help lists those allowed)");
-    } else if (options.scene.empty() && !argument.empty()) {
-      options.scene = argument;
+      throw InputError("unknown option " + printable(argument) + more + "lists those allowed)");
+    } else if (place != places.end() && !argument.empty()) {
+      *place++->value = argument;
     } else {
-      throw InputError("'" + printable(argument) + "' (allowed: one scene file)");
+      throw InputError("'" + printable(argument) + "' (allowed: one " +
+                       (program.runs_bag ? "bag and one scene file)" : "scene file)"));
     }
   }
-  if (options.scene.empty()) throw InputError("no scene file given (incision_batch --help says more)");
+  if (place != places.end()) throw InputError(std::string("no ") + place->name + " given" + more + "says more)");
   return options;
 }
+
+BatchOptions parseBatchArguments(const std::vector<std::string>& arguments) { return parseArguments(BATCH, arguments); }
 
 }  // namespace incision

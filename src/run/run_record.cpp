@@ -35,16 +35,19 @@ std::vector<Quantity> recorded(const DeformableBody& body, const StepResult& ste
 
 }  // namespace
 
-RunRecord::RunRecord(const std::string& path, const DeformableBody& body) : file_(openOutput(path)) {
+RunRecord::RunRecord(const std::string& path, const DeformableBody& body, bool hashed)
+    : file_(openOutput(path)), hashed_(hashed) {
   file_ << "step,time,";
   forEachColumn(recorded(body, StepResult()), [&](const std::string& column, auto) { file_ << column << ','; });
-  file_ << "step_ms\n" << std::flush;
+  file_ << "step_ms" << (hashed_ ? ",state_hash" : "") << '\n' << std::flush;
 }
 
 void RunRecord::write(const DeformableBody& body, const StepResult& step) {
   file_ << body.steps() << ',' << body.time() << ',';
   forEachColumn(recorded(body, step), [&](const std::string&, auto value) { file_ << value << ','; });
-  file_ << step.step_ms << '\n' << std::flush;
+  file_ << step.step_ms;
+  if (hashed_) file_ << ',' << hexadecimal(body.stateHash());
+  file_ << '\n' << std::flush;
 }
 
 }  // namespace incision

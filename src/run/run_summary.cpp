@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "incision/body/quantities.h"
@@ -25,11 +24,9 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
 }
 
-/// As text: JSON readers keep only 53 bits of a number.
-std::string hexadecimal(std::uint64_t value) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-  return digits;
+void add(const std::vector<Quantity>& quantities, Json* group) {
+  for (const Quantity& quantity : quantities)
+    (*group)[quantity.name] = std::visit([](const auto& value) { return toJson(value); }, quantity.value);
 }
 
 /// By nearest rank; 0 where there are none.
@@ -69,13 +66,12 @@ PhaseTimes StepStatistics::meanPhases() const {
   return {sum_.cut / n, sum_.fracture / n, sum_.contact / n, sum_.assembly / n, sum_.solve / n, sum_.update / n};
 }
 
-std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics) {
+std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics, const StepSource* source) {
   const PhaseTimes phases = statistics.meanPhases();
   Json line;
   line["steps"] = body.steps();
   line["time"] = body.time();
-  for (const Quantity& quantity : quantitiesOf(body, statistics.last()))
-    line[quantity.name] = std::visit([](const auto& value) { return toJson(value); }, quantity.value);
+  add(quantitiesOf(body, statistics.last()), &line);
   line["bounds"] = {toJson(body.bounds().min), toJson(body.bounds().max)};
   line["piece_volumes"] = body.pieceVolumes();
   const std::vector<double> volumes = body.regionVolumes();
@@ -91,9 +87,8 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
                       {"solves", {{"median", statistics.solvesQuantile(0.5)}, {"max", statistics.solvesQuantile(1)}}},
                       {"unsettled", body.unsettledSteps()}};
   for (std::size_t i = 0; i < body.tools(); ++i)
-    for (const Quantity& quantity : toolQuantitiesOf(body, i, statistics.last()))
-      line["tools"][body.scene().tools[i].name][quantity.name] =
-          std::visit([](const auto& value) { return toJson(value); }, quantity.value);
+    add(toolQuantitiesOf(body, i, statistics.last()), &line["tools"][body.scene().tools[i].name]);
+  if (source != nullptr) add(source->quantities(), &line[source->name()]);
   line["peak_rss_mb"] = peakMemory();
   line["state_hash"] = hexadecimal(body.stateHash());
   return line.dump();

@@ -93,10 +93,11 @@ SavedState readState(const std::string& path, const SceneKey& key, int threads) 
   }
 }
 
-void restoreState(const std::string& path, const SceneKey& key, DeformableBody* body) {
+std::string restoreState(const std::string& path, const SceneKey& key, DeformableBody* body) {
   const SavedState state = readState(path, key, body->scene().solver.threads);
   try {
     body->restore(state.body);
+    return state.leads;
   } catch (const InputError& wrong) {
     throw InputError(printable(path) + ": " + wrong.what());
   }

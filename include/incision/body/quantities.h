@@ -28,6 +28,9 @@ std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body);
 /// with an edge how far it has cut: `depth`, `area`; of one with a jaw `jaw`, `jaw_torque`, `gripped`.
 std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, std::size_t tool, const StepResult& last_step);
 
+/// 16 digits, for hashes: as a number, readers of JSON keep only 53 bits.
+std::string hexadecimal(std::uint64_t value);
+
 /// What the body is before its first step, in a line for people: its size, where it lies, its mass, what holds it.
 std::string describe(const DeformableBody& body);
 

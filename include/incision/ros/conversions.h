@@ -36,9 +36,6 @@ ros::Time toRos(Nanoseconds stamp);
 CutReport toReport(const CutResult& result);
 CrackEvent toEvent(const CrackResult& result);
 
-/// 16 hexadecimal digits.
-std::string toHex(std::uint64_t hash);
-
 /// Fills the sizes, the motion, step, time and hash; the node fills in the rest.
 void fillState(const DeformableBody& body, const StepResult& last_step, BodyState* state);
 

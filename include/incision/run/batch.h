@@ -1,17 +1,26 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "incision/run/step_source.h"
+
 namespace incision {
 
-/// What the batch program is asked to do.
+/// Most steps of a run: more would outgrow memory with the times of the steps alone.
+inline constexpr std::int64_t MAX_STEPS = 10'000'000;
+
+/// What a program that runs a scene is asked to do.
 struct BatchOptions {
+  std::string bag;                 ///< file of messages to run; of the batch program empty
+  std::string node = "/incision";  ///< the node that the bag's messages are for
   std::string scene;
-  std::int64_t steps = 100;                                 ///< to take; 0: none; at most 10,000,000
-  std::vector<std::string> overrides;                       ///< "solver.time_step=0.005", in the order given
+  std::int64_t steps = 100;            ///< to take; 0: none; at most MAX_STEPS, as of bags by default
+  std::vector<std::string> overrides;  ///< "solver.time_step=0.005", in the order given
   std::string record, positions, snapshot, volume, series;  ///< output files; empty: none
   std::string restore;                                      ///< file that a body was saved in; empty: none
   std::string save;                                         ///< file to save the body in at the end; empty: none
@@ -22,13 +31,34 @@ struct BatchOptions {
 /// Exit statuses of the batch program.
 enum class BatchStatus { DONE = 0, FAILED = 1, BAD_INPUT = 2 };
 
-/// Reads the program's arguments, without its name. Throws InputError for anything it does not know.
+/// A program that runs a scene: the batch program, or one that takes its steps from elsewhere.
+struct BatchProgram {
+  const char* name;
+  const char* usage;  ///< first lines of its help, before the options that all have
+  bool runs_bag;      ///< its first argument is a bag
+  std::function<Scene(const BatchOptions&)> load;
+  /// Opens what the steps come from. Null for the batch program.
+  std::function<std::unique_ptr<StepSource>(const BatchOptions&, DeformableBody*)> open;
+};
+
+/// The batch program.
+extern const BatchProgram BATCH;
+
+/// Reads a program's arguments, without its name. Throws InputError for anything it does not know.
+BatchOptions parseArguments(const BatchProgram& program, const std::vector<std::string>& arguments);
 BatchOptions parseBatchArguments(const std::vector<std::string>& arguments);
+
+std::string helpOf(const BatchProgram& program);
 
 /// Runs a scene without ROS and ends with one line of JSON on `out`; every error is one line on `err`. The run stops
 /// early, outputs included, once stopBatch has been called. Returns FAILED when a step failed or an output could not be
 /// written; what was reached is written all the same.
+BatchStatus runProgram(const BatchProgram& program, const std::vector<std::string>& arguments, std::ostream& out,
+                       std::ostream& err);
 BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
+
+/// What a program says of a cut that was not made, at this simulated time [s].
+std::string remarkOn(const CutResult& cut, double time);
 
 /// Ends the run under way after its current step. May be called by a signal handler.
 void stopBatch();

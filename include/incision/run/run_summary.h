@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "incision/body/deformable_body.h"
+#include "incision/run/step_source.h"
 
 namespace incision {
 
@@ -28,7 +29,9 @@ class StepStatistics {
   StepResult last_;
 };
 
-/// One line of JSON on the body as it is now and on the run so far; all numbers read back as the same doubles.
-std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics);
+/// One line of JSON on the body as it is now and on the run so far, and on where its steps came from unless that is
+/// null; all numbers read back as the same doubles.
+std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics,
+                        const StepSource* source = nullptr);
 
 }  // namespace incision

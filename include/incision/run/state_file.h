@@ -33,8 +33,8 @@ class StateFile {
 /// allowed, where it is cut short or damaged, of another format, or of another scene or mesh.
 SavedState readState(const std::string& path, const SceneKey& key, int threads);
 
-/// Restores a body from a file, as DeformableBody::restore does. Throws InputError likewise, and where the file holds
-/// what no body can be: the body is then as it was.
-void restoreState(const std::string& path, const SceneKey& key, DeformableBody* body);
+/// Restores a body from a file, as DeformableBody::restore does, and returns what led it; nothing where nothing did.
+/// Throws InputError likewise, and where the file holds what no body can be: the body is then as it was.
+std::string restoreState(const std::string& path, const SceneKey& key, DeformableBody* body);
 
 }  // namespace incision
