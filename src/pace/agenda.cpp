@@ -1,6 +1,17 @@
 #include "incision/pace/agenda.h"
 
+#include <utility>
+
 namespace incision {
+namespace {
+
+std::vector<PlaneCut> planesOf(std::vector<WaitingCut> cuts) {
+  std::vector<PlaneCut> planes;
+  for (WaitingCut& cut : cuts) planes.push_back(std::move(cut.plane));
+  return planes;
+}
+
+}  // namespace
 
 void Agenda::countIfLate(Nanoseconds stamp) {
   if (stamp > 0 && stamp <= taken_) ++late_;
@@ -10,12 +21,12 @@ void Agenda::noteTaken(Nanoseconds time) {
   if (time > 0) taken_ = time;
 }
 
-std::optional<PlaneCut> Agenda::add(const PlaneCut& plane, Nanoseconds stamp) {
+std::optional<PlaneCut> Agenda::add(const PlaneCut& plane, Nanoseconds stamp, SteadyTime received) {
   const std::lock_guard<std::mutex> lock(mutex_);
   countIfLate(stamp);
-  cuts_.add(plane, stamp);
+  cuts_.add({plane, stamp, received}, stamp);
   if (cuts_.size() <= MAX_WAITING_CUTS) return std::nullopt;
-  return cuts_.takeLast();
+  return cuts_.takeLast().plane;
 }
 
 void Agenda::add(int tool, const ReceivedPose& pose, Nanoseconds stamp) {
@@ -38,7 +49,7 @@ void Agenda::activate(int tool, bool active) {
 std::vector<PlaneCut> Agenda::takeCuts(Nanoseconds time) {
   const std::lock_guard<std::mutex> lock(mutex_);
   noteTaken(time);
-  return cuts_.take(time);
+  return planesOf(cuts_.take(time));
 }
 
 ToolInput Agenda::takeTool(int tool, Nanoseconds time) {
@@ -51,7 +62,26 @@ std::vector<PlaneCut> Agenda::clear(const std::vector<bool>& active) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].clear(active.empty() || active.at(i));
   taken_ = 0;
-  return cuts_.takeAll();
+  return planesOf(cuts_.takeAll());
+}
+
+std::size_t Agenda::size() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::size_t sum = cuts_.size();
+  for (const ToolQueue& tool : tools_) sum += tool.size();
+  return sum;
+}
+
+std::optional<WaitingCut> Agenda::firstCutAfter(Nanoseconds time) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto* first = cuts_.firstAfter(time);
+  if (first == nullptr) return std::nullopt;
+  return first->thing;
+}
+
+std::optional<Arrival> Agenda::firstOfToolAfter(int tool, Nanoseconds time) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return at(tool).firstAfter(time);
 }
 
 std::uint64_t Agenda::late() const {

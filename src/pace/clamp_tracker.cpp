@@ -12,6 +12,11 @@ std::vector<FollowedLink> framesOf(const std::vector<Clamp>& clamps) {
 
 }  // namespace
 
+void leaveClampsToFrames(Scene* scene) {
+  for (Clamp& clamp : scene->boundary)
+    if (!clamp.frame.empty()) clamp.poses.clear();
+}
+
 ClampTracker::ClampTracker(const Frames& frames, LinkLookup::Complain complain, const std::vector<Clamp>& clamps,
                            double time_step)
     : body_frame_(frames.body()),

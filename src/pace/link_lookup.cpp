@@ -28,4 +28,11 @@ void LinkLookup::ignore(const std::string& link, const std::string& why) {
   complain_(link, why);
 }
 
+LinkLookup::Complain warnOfLinks(const std::string& owner, Answers& answers) {
+  return [owner, &answers](const std::string& link, const std::string& why) {
+    const std::string whose = "link \"" + link + "\" of " + owner;
+    answers.warn(whose, whose + " stays where it is: " + why);
+  };
+}
+
 }  // namespace incision

@@ -1,7 +1,9 @@
 #include "incision/pace/pacer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace incision {
 namespace {
@@ -28,7 +30,9 @@ bool WallPacer::due() const { return now_ >= *next_; }
 
 void WallPacer::stepTaken() {
   const SteadyTime now = std::chrono::steady_clock::now();
-  next_ = next_ ? std::max(*next_ + time_step_, now) : now;
+  const SteadyTime planned = next_ ? *next_ + time_step_ : now;
+  next_ = std::max(planned, now);
+  skipped_ += *next_ - planned;
 }
 
 SteadyTime WallPacer::nextUpdate() const { return next_.value_or(now_); }
@@ -36,6 +40,11 @@ SteadyTime WallPacer::nextUpdate() const { return next_.value_or(now_); }
 Nanoseconds WallPacer::nextStart() const { return ANY_TIME; }
 Nanoseconds WallPacer::clock() const { return ANY_TIME; }
 double WallPacer::lag() const { return 0; }
+
+Nanoseconds startOfStep(Nanoseconds clock, double time_step, std::int64_t k) {
+  const Nanoseconds whole = std::llround(1e9 * time_step);
+  return clock / whole * whole + std::llround(1e9 * time_step * static_cast<double>(k));
+}
 
 ClockPacer::ClockPacer(double time_step, double max_lag) : time_step_(time_step), max_lag_(max_lag) {}
 
@@ -61,14 +70,19 @@ void ClockPacer::update(SteadyTime now) {
 bool ClockPacer::due() const { return anchored_ && nextStart() <= clock_ + SAME; }
 
 void ClockPacer::advance(Nanoseconds clock) {
-  const double advanced = seconds(clock - clock_);
-  clock_ = clock;
-  if (!anchored_ || advanced < 0 || advanced > MAX_CLOCK_ADVANCE || lag() > max_lag_) anchor(clock);
+  const Nanoseconds last = std::exchange(clock_, clock);
+  const double advanced = seconds(clock - last);
+  if (!anchored_) {
+    anchor(clock);
+  } else if (advanced < 0 || advanced > MAX_CLOCK_ADVANCE || lag() > max_lag_) {
+    const Nanoseconds next = nextStart();
+    anchor(clock);
+    skipped_ += std::max(0.0, seconds((advanced < 0 ? last : nextStart()) - next));
+  }
 }
 
 void ClockPacer::anchor(Nanoseconds clock) {
-  const Nanoseconds time_step = std::llround(1e9 * time_step_);
-  t0_ = clock / time_step * time_step;
+  first_ = clock;
   steps_ = 0;
   anchored_ = true;
 }
@@ -80,9 +94,7 @@ SteadyTime ClockPacer::nextUpdate() const {
   return ticks_.empty() ? SteadyTime::max() : ticks_.front().received + CLOCK_DELAY;
 }
 
-Nanoseconds ClockPacer::nextStart() const {
-  return anchored_ ? t0_ + std::llround(1e9 * time_step_ * static_cast<double>(steps_)) : 0;
-}
+Nanoseconds ClockPacer::nextStart() const { return anchored_ ? startOfStep(first_, time_step_, steps_) : 0; }
 
 Nanoseconds ClockPacer::clock() const { return clock_; }
 

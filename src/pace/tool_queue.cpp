@@ -36,6 +36,17 @@ ToolInput ToolQueue::take(Nanoseconds time) {
   return input;
 }
 
+std::optional<Arrival> ToolQueue::firstAfter(Nanoseconds time) const {
+  std::optional<Arrival> first;
+  const auto offer = [&](const auto* entry) {
+    if (entry != nullptr && (!first || entry->thing.received < first->received))
+      first = Arrival{entry->stamp, entry->thing.received};
+  };
+  offer(poses_.firstAfter(time));
+  offer(jaw_.firstAfter(time));
+  return first;
+}
+
 void ToolQueue::clear(bool active) {
   const std::uint64_t thinned = thinned_;
   *this = ToolQueue();

@@ -49,6 +49,17 @@ bool TransformQueue::empty() const {
   return waiting_.empty();
 }
 
+std::size_t TransformQueue::size() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waiting_.size();
+}
+
+std::optional<Command> TransformQueue::first() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (waiting_.empty()) return std::nullopt;
+  return waiting_.front();
+}
+
 std::optional<Nanoseconds> TransformQueue::earliestStamp() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::optional<Nanoseconds> earliest;

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "incision/base/input_error.h"
+#include "incision/pace/clamp_tracker.h"
 #include "incision/pace/pacer.h"
 #include "incision/ros/private_parameters.h"
 #include "incision/ros/robot_description.h"
@@ -33,8 +34,7 @@ Scene loadSceneParameter(const ros::NodeHandle& node, const std::string& folder)
     throw InputError(name + ": this parameter is missing; load a scene file there, as incision.launch does");
   Scene scene = parseScene(toYaml(value, name), name, folder);
   loadPoses(&scene);
-  for (Clamp& clamp : scene.boundary)
-    if (!clamp.frame.empty()) clamp.poses.clear();  // tf has them
+  leaveClampsToFrames(&scene);
   return scene;
 }
 

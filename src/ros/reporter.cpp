@@ -2,16 +2,20 @@
 
 #include <ros/console.h>
 
+#include "incision/pace/agenda.h"
+#include "incision/pace/transform_queue.h"
 #include "incision/ros/conversions.h"
 
 namespace incision {
 namespace {
 
-/// Reports that may wait for a slow subscriber: as many as the messages that may wait for us.
-constexpr std::uint32_t REPORT_QUEUE = 1000;
+/// Reports that may wait for a slow subscriber: of all cuts that may wait here, which a reset answers at once, and of
+/// as many more.
+constexpr std::uint32_t REPORT_QUEUE = 2 * (MAX_WAITING_CUTS + MAX_WAITING_FOR_TRANSFORM);
 
-/// Least time [s] between two warnings of refused messages.
-constexpr double WARNING_PERIOD = 2;
+/// How long the node stays, when it ends, for reports to leave: what has not been read then waits in the subscribers'
+/// sockets, which hold more than all reports there can be. Writing these takes a few milliseconds.
+constexpr double FLUSH_TIME = 0.2;
 
 }  // namespace
 
@@ -32,8 +36,7 @@ void Reporter::report(const CutResult& result) {
 }
 
 void Reporter::report(const CrackResult& result) {
-  if (result.change == CrackChange::STOPPED)
-    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "a limit of parts or copies stopped a crack");
+  if (result.change == CrackChange::STOPPED) warn("stopped cracks", "a limit of parts or copies stopped a crack");
   if (crack_publisher_.getNumSubscribers() == 0) return;
   CrackEvent event = toEvent(result);
   event.header.stamp = ros::Time::now();
@@ -58,7 +61,17 @@ void Reporter::refuseTool(int tool, const Refused& refused) {
 
 void Reporter::count(const std::string& whose, const Refused& refused) {
   ++counts_[static_cast<int>(refused.kind)];
-  ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "refused " << whose << ": " << refused.reason);
+  warn("refused " + whose, "refused " + whose + ": " + refused.reason);
+}
+
+void Reporter::warn(const std::string& about, const std::string& text) {
+  if (throttle_.lets(about, std::chrono::steady_clock::now())) ROS_WARN_STREAM(text);
+}
+
+void Reporter::inform(const std::string& text) { ROS_INFO_STREAM(text); }
+
+void Reporter::flush() {
+  if (publisher_.getNumSubscribers() > 0) ros::WallDuration(FLUSH_TIME).sleep();
 }
 
 void Reporter::publish(const CutResult& result) {

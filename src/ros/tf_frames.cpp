@@ -1,16 +1,8 @@
 #include "incision/ros/tf_frames.h"
 
-#include <ros/console.h>
-
 #include "incision/ros/conversions.h"
 
 namespace incision {
-namespace {
-
-/// Least time [s] between two warnings.
-constexpr double WARNING_PERIOD = 2;
-
-}  // namespace
 
 TfFrames::TfFrames(const tf2::BufferCore& buffer, const std::string& body_frame)
     : Frames(body_frame), buffer_(buffer) {}
@@ -26,12 +18,6 @@ std::optional<StampedPose> TfFrames::find(const std::string& frame, Nanoseconds 
     if (why_not != nullptr) *why_not = error.what();
     return std::nullopt;
   }
-}
-
-LinkLookup::Complain warnOfLinks(const std::string& owner) {
-  return [owner](const std::string& link, const std::string& why) {
-    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "link \"" << link << "\" of " << owner << " stays where it is: " << why);
-  };
 }
 
 }  // namespace incision

@@ -60,6 +60,26 @@ TEST(Agenda, ALongPathKeepsItsShape) {
   for (std::size_t i = 1; i < path.size(); ++i) EXPECT_LE(path[i].pose.position.x() - path[i - 1].pose.position.x(), 8);
 }
 
+TEST(Agenda, KnowsHowManyWaitAndSinceWhen) {
+  const auto after = [](int seconds) { return SteadyTime(std::chrono::seconds(seconds)); };
+  Agenda agenda(2);
+  EXPECT_EQ(0u, agenda.size());
+  agenda.add(labelled("now"), 0, after(1));
+  agenda.add(labelled("later"), 90, after(3));
+  agenda.add(labelled("earlier"), 80, after(4));
+  agenda.add(1, ReceivedPose{{}, 70, after(6)}, 70);
+  agenda.add(1, ReceivedAngle{0.1, 60, after(5)}, 60);
+  EXPECT_EQ(5u, agenda.size());
+  EXPECT_EQ("later", agenda.firstCutAfter(0)->plane.label);
+  EXPECT_EQ(90, agenda.firstCutAfter(0)->stamp);
+  EXPECT_FALSE(agenda.firstCutAfter(90));
+  EXPECT_FALSE(agenda.firstOfToolAfter(0, 0));
+  EXPECT_EQ(after(5), agenda.firstOfToolAfter(1, 0)->received);
+  EXPECT_EQ(70, agenda.firstOfToolAfter(1, 60)->stamp);
+  agenda.clear();
+  EXPECT_EQ(0u, agenda.size());
+}
+
 TEST(Agenda, ClearingReturnsTheCutsThatWillNotBeMade) {
   Agenda agenda(1);
   agenda.add(labelled("not made"), 50);

@@ -32,6 +32,29 @@ TEST(WallPacer, ALateStepIsNotMadeUpFor) {
   EXPECT_TRUE(pacer.due());
 }
 
+TEST(WallPacer, SkipsTheTimeByWhichAStepIsLate) {
+  WallPacer pacer(TIME_STEP);
+  const SteadyTime due = std::chrono::steady_clock::now() - milliseconds(25);
+  pacer.update(due);
+  EXPECT_EQ(0, pacer.skipped());
+  pacer.stepTaken();  // planned for 15 ms ago, and not before now
+  EXPECT_GE(pacer.skipped(), 0.015);
+  EXPECT_NEAR(pacer.skipped(), std::chrono::duration<double>(pacer.nextUpdate() - due).count() - TIME_STEP, 1e-9);
+  const double skipped = pacer.skipped();
+  pacer.update(pacer.nextUpdate());
+  pacer.stepTaken();  // in time
+  EXPECT_EQ(skipped, pacer.skipped());
+}
+
+TEST(WallPacer, APauseSkipsNoTime) {
+  WallPacer pacer(TIME_STEP);
+  pacer.update(std::chrono::steady_clock::now() - std::chrono::hours(1));
+  pacer.restart();
+  pacer.update(std::chrono::steady_clock::now());
+  pacer.stepTaken();
+  EXPECT_LT(pacer.skipped(), 1);
+}
+
 TEST(ClockPacer, StepsStartOnMultiplesOfTheTimeStep) {
   ClockPacer pacer(TIME_STEP, 5);
   EXPECT_EQ(1, stepsAfter(pacer, START, 1003 * MILLISECOND));
@@ -71,20 +94,39 @@ TEST(ClockPacer, LagUpToItsLimitIsMadeUpFor) {
   fallBehind(pacer);
   EXPECT_NEAR(2.69, pacer.lag(), 1e-9);  // 2.7 s less the step taken at the first message
   EXPECT_EQ(1010 * MILLISECOND, pacer.nextStart());
+  EXPECT_EQ(0, pacer.skipped());
 }
 
-TEST(ClockPacer, LagBeyondItsLimitIsGivenUp) {
+TEST(ClockPacer, LagBeyondItsLimitIsGivenUpAndCounted) {
   ClockPacer pacer(TIME_STEP, 2);
   fallBehind(pacer);
   EXPECT_EQ(0, pacer.lag());
   EXPECT_EQ(3700 * MILLISECOND, pacer.nextStart());
+  EXPECT_NEAR(2.69, pacer.skipped(), 1e-9);
 }
 
 TEST(ClockPacer, AJumpOfTheClockTakesNoSteps) {
   ClockPacer pacer(TIME_STEP, 5);
   stepsAfter(pacer, START, 1000 * MILLISECOND);
   EXPECT_EQ(1, stepsAfter(pacer, START + milliseconds(1), 9000 * MILLISECOND));
+  EXPECT_NEAR(7.99, pacer.skipped(), 1e-9);
   EXPECT_EQ(1, stepsAfter(pacer, START + milliseconds(2), 500 * MILLISECOND));
+  EXPECT_NEAR(7.99, pacer.skipped(), 1e-9);  // it went back, and there was no lag
+}
+
+TEST(ClockPacer, LagBeforeTheClockGoesBackIsCounted) {
+  ClockPacer pacer(TIME_STEP, 5);
+  fallBehind(pacer);
+  stepsAfter(pacer, START + milliseconds(4), 500 * MILLISECOND);
+  EXPECT_NEAR(2.69, pacer.skipped(), 1e-9);
+}
+
+TEST(ClockPacer, WhatTheClockDoesBeforeTheFirstStepAndInAPauseIsNoSkippedTime) {
+  ClockPacer pacer(TIME_STEP, 5);
+  stepsAfter(pacer, START, 1'000'000'000'000'000);
+  pacer.restart();
+  stepsAfter(pacer, START + milliseconds(1), 1'000'009'000'000'000);
+  EXPECT_EQ(0, pacer.skipped());
 }
 
 TEST(ClockPacer, ARestartWaitsForTheNextClockMessage) {

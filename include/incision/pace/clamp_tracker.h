@@ -5,11 +5,15 @@
 
 #include "incision/fem/boundary_settings.h"
 #include "incision/pace/link_tracker.h"
+#include "incision/scene/scene.h"
 
 namespace incision {
 
 /// A clamp whose frame's newest transform is older than this [s] is said to hold still: some poses of any stream.
 inline constexpr double CLAMP_TIMEOUT = 0.5;
+
+/// Clamps that have a frame do not follow the poses that the scene has of them, which are for runs without one.
+void leaveClampsToFrames(Scene* scene);
 
 /// Follows the frames of clamps. A clamp of whose frame nothing is known, or nothing new, stays where it is; that is
 /// said. Used by the stepping thread, which it never makes wait.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "incision/pace/answers.h"
 #include "incision/pace/frames.h"
 
 namespace incision {
@@ -31,5 +32,8 @@ class LinkLookup {
   Complain complain_;
   std::uint64_t ignored_ = 0;
 };
+
+/// Warns of links that stay where they are. `owner`: whose they are.
+LinkLookup::Complain warnOfLinks(const std::string& owner, Answers& answers);
 
 }  // namespace incision

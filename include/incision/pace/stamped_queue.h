@@ -10,10 +10,16 @@
 
 namespace incision {
 
-/// Things ordered by stamp, and those of one stamp by arrival.
+/// Things ordered by stamp, and those of one stamp by arrival. A thing knows when it was `received`.
 template <class T>
 class StampedQueue {
  public:
+  struct Entry {
+    Nanoseconds stamp;
+    std::int64_t arrival;  ///< counts up
+    T thing;
+  };
+
   void add(T thing, Nanoseconds stamp) {
     const auto place = std::upper_bound(entries_.begin(), entries_.end(), stamp,
                                         [](Nanoseconds time, const Entry& entry) { return time < entry.stamp; });
@@ -53,12 +59,15 @@ class StampedQueue {
 
   std::size_t size() const { return entries_.size(); }
 
+  /// Of what is stamped later than `time` the thing that was received first; null where there is none.
+  const Entry* firstAfter(Nanoseconds time) const {
+    const Entry* first = nullptr;
+    for (const Entry& entry : entries_)
+      if (entry.stamp > time && (first == nullptr || entry.thing.received < first->thing.received)) first = &entry;
+    return first;
+  }
+
  private:
-  struct Entry {
-    Nanoseconds stamp;
-    std::int64_t arrival;  ///< counts up
-    T thing;
-  };
   std::deque<Entry> entries_;
   std::int64_t arrivals_ = 0;
 };

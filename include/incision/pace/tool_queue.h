@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "incision/pace/stamped_queue.h"
@@ -20,10 +21,17 @@ struct ReceivedPose {
   bool active = true;  ///< the blade is on on the way there
 };
 
-/// An angle of a tool's jaw [rad], with its time like that of a pose.
+/// An angle of a tool's jaw [rad], with its times like those of a pose.
 struct ReceivedAngle {
   double angle;
   Nanoseconds time;
+  SteadyTime received = {};
+};
+
+/// When something came, and for when.
+struct Arrival {
+  Nanoseconds stamp;
+  SteadyTime received;
 };
 
 /// What is asked of a tool before a step.
@@ -49,6 +57,10 @@ class ToolQueue {
 
   /// Forgets all but the count of poses left out, and whether the blade is on.
   void clear(bool active);
+
+  /// Poses and angles that wait; of those stamped later than `time` when the first one came.
+  std::size_t size() const { return poses_.size() + jaw_.size(); }
+  std::optional<Arrival> firstAfter(Nanoseconds time) const;
 
   /// Poses and angles left out, so far.
   std::uint64_t thinned() const { return thinned_; }

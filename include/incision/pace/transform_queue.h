@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <list>
 #include <mutex>
@@ -35,6 +36,9 @@ class TransformQueue {
   void clear(const Refused& refused);
 
   bool empty() const;
+  std::size_t size() const;
+  /// The one that came first, of those that wait.
+  std::optional<Command> first() const;
   /// Earliest stamp that waits, other than 0 for "now"; nothing when there is none.
   std::optional<Nanoseconds> earliestStamp() const;
 

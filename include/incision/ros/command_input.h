@@ -1,25 +1,18 @@
 #pragma once
 
-#include <geometry_msgs/PoseStamped.h>
-#include <incision/CutPlane.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
-#include <sensor_msgs/JointState.h>
-#include <std_msgs/Bool.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <string>
 #include <vector>
 
-#include "incision/pace/agenda.h"
-#include "incision/pace/transform_queue.h"
-#include "incision/pace/wakeup.h"
+#include "incision/pace/commands.h"
+#include "incision/ros/command_messages.h"
 #include "incision/ros/parameters.h"
-#include "incision/ros/reporter.h"
 #include "incision/ros/tf_frames.h"
-#include "incision/ros/validation.h"
 
 namespace incision {
 
@@ -30,44 +23,31 @@ inline constexpr std::uint32_t MESSAGE_QUEUE = 1000;
 /// How often commands that wait for a transform try again [s].
 inline constexpr double TRANSFORM_POLL = 0.01;
 
-/// Receives the commands on a thread of its own: checks each, brings it into the body's frame and puts it on the
-/// agenda. The stepping thread never sees a message that is no command.
+/// Receives the commands on a thread of its own: checks each, brings it into the body's frame and keeps it until its
+/// step. The stepping thread never sees a message that is no command.
 class CommandInput {
  public:
-  CommandInput(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body, Agenda& agenda,
-               Reporter& reporter, Wakeup& wakeup);
+  CommandInput(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body, Answers& answers,
+               Wakeup& wakeup);
 
-  /// A command stamped at or before `time` still waits for its transform.
-  bool waitsFor(Nanoseconds time) const;
+  /// What has been received.
+  Commands& commands() { return commands_; }
 
   /// What the node knows of tf.
   const Frames& frames() const { return frames_; }
 
-  /// Refuses the commands that wait for a transform.
-  void clear(const Refused& refused);
+  /// Receives no more. What has come is looked at; then the cuts that wait are refused.
+  void close(const Refused& refused);
 
  private:
-  void receiveCut(const CutPlane& message);
-  void receivePose(int tool, const geometry_msgs::PoseStamped& message);
-  void receiveJaw(int tool, const Jaw& jaw, const sensor_msgs::JointState& message);
-  template <class Message, class Receive>
-  void subscribe(ros::NodeHandle& node, const std::string& topic, Receive receive);
-  void subscribeToTool(ros::NodeHandle& node, int tool, const ToolSettings& settings, const ToolForm& form);
-  Nanoseconds timeOf(Nanoseconds stamp, SteadyTime received) const;
-  void accept(const Command& command);
-  void release(const Command& command);
-  void refuse(const Command& command, const Refused& refused);
-
-  const bool use_sim_time_;
-  const std::string body_frame_;
-  Agenda& agenda_;
-  Reporter& reporter_;
-  Wakeup& wakeup_;
+  template <class Message>
+  void subscribe(ros::NodeHandle& node, const std::string& topic, const Receiver<Message>& receive);
 
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_;
   const TfFrames frames_;
-  TransformQueue transforms_;
+  Commands commands_;
+  CommandMessages messages_;
   ros::CallbackQueue callbacks_;
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer poll_;

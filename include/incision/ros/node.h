@@ -8,15 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "incision/pace/clamp_tracker.h"
-#include "incision/pace/link_tracker.h"
+#include "incision/pace/pace_watch.h"
 #include "incision/pace/pacer.h"
 #include "incision/pace/real_time_factor.h"
+#include "incision/pace/step_input.h"
 #include "incision/pace/stepping_tasks.h"
 #include "incision/ros/checkpoint_server.h"
 #include "incision/ros/command_input.h"
 #include "incision/ros/marker_publisher.h"
-#include "incision/ros/tool_driver.h"
+#include "incision/ros/reporter.h"
+#include "incision/ros/tool_publisher.h"
 
 namespace incision {
 
@@ -28,9 +29,10 @@ class IncisionNode {
  public:
   /// Throws InputError when the parameters do not give a body.
   IncisionNode();
+  /// Answers the cuts that wait.
   ~IncisionNode();
 
-  /// Takes steps until ROS shuts down.
+  /// Takes steps until the node is asked to end.
   void run();
 
  private:
@@ -42,18 +44,10 @@ class IncisionNode {
   bool resetService(Trigger::Request& request, Trigger::Response& response);
   void setPaused(bool paused);
   void reset();
-  void dropWaiting(const std::string& why, const std::vector<bool>& active = {});
   void startAnew();
   SavedState save() const;
   void restore(const SavedState& state);
 
-  bool applyCuts(bool step_due);
-  void applyCut(const PlaneCut& plane);
-  StepTime stepTime() const;
-  void leadTools(const StepTime& time);
-  void moveObstacles(const StepTime& time);
-  void moveClamps(const StepTime& time);
-  bool stepDue();
   void step();
   bool tryStep();
   void stepFailed(const std::string& why);
@@ -68,22 +62,20 @@ class IncisionNode {
 
   Wakeup wakeup_;
   SteppingTasks tasks_;
-  Agenda agenda_;
   Reporter reporter_;
   MarkerPublisher markers_;
   RealTimeFactor real_time_factor_;
   StepResult last_step_;
   std::string error_;
-  bool paused_ = false;
   SteadyTime next_heartbeat_;
 
   ros::Publisher state_;
   ros::Subscriber clock_;
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;
-  LinkTracker obstacles_;
-  ClampTracker clamps_;
-  std::vector<ToolDriver> tools_;
+  StepInput step_input_;
+  PaceWatch watch_;
+  std::vector<ToolPublisher> tools_;
   CheckpointServer checkpoints_;
   ros::AsyncSpinner spinner_;
 };

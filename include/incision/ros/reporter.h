@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "incision/body/deformable_body.h"
-#include "incision/pace/command.h"
+#include "incision/pace/answers.h"
+#include "incision/pace/throttle.h"
 
 namespace incision {
 
 /// Tells what became of the commands and what the body did by itself: publishes cut reports and crack events, counts
 /// and logs what was refused. Thread-safe.
-class Reporter {
+class Reporter : public Answers {
  public:
   /// There are crack events only of a body that breaks.
   Reporter(ros::NodeHandle& node, const Scene& scene);
@@ -26,14 +27,20 @@ class Reporter {
   void setPieces(int pieces);
 
   /// A cut that the body has answered.
-  void report(const CutResult& result);
+  void report(const CutResult& result) override;
 
   /// What a crack did in a step.
   void report(const CrackResult& result);
 
-  /// A cut, or what was asked of a tool, that did not get as far as the body.
-  void refuseCut(const std::string& label, const Refused& refused);
-  void refuseTool(int tool, const Refused& refused);
+  void refuseCut(const std::string& label, const Refused& refused) override;
+  void refuseTool(int tool, const Refused& refused) override;
+
+  /// Go into the log.
+  void warn(const std::string& about, const std::string& text) override;
+  void inform(const std::string& text) override;
+
+  /// Before the node ends: gives the reports time to leave for those who listen.
+  void flush();
 
   /// Counts so far, into the fields of the state.
   void fillState(BodyState& state) const;
@@ -50,6 +57,7 @@ class Reporter {
   std::array<std::atomic<std::uint64_t>, NUM_REFUSALS> counts_ = {};
   std::vector<std::atomic<std::uint64_t>> of_tools_;
   std::atomic<int> pieces_ = 0;
+  Throttle throttle_{WARNING_PERIOD};
 };
 
 }  // namespace incision

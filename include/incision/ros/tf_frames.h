@@ -5,7 +5,6 @@
 #include <string>
 
 #include "incision/pace/frames.h"
-#include "incision/pace/link_lookup.h"
 
 namespace incision {
 
@@ -20,8 +19,5 @@ class TfFrames : public Frames {
  private:
   const tf2::BufferCore& buffer_;
 };
-
-/// Warns of links that stay where they are, throttled. `owner`: whose they are.
-LinkLookup::Complain warnOfLinks(const std::string& owner);
 
 }  // namespace incision

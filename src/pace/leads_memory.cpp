@@ -1,4 +1,4 @@
-#include "incision/ros/leads_memory.h"
+#include "incision/pace/leads_memory.h"
 
 #include <sstream>
 
@@ -15,7 +15,7 @@ void serialize(Archive& archive, LeadsMemory& memory) {
 std::vector<bool> LeadsMemory::active() const {
   std::vector<bool> list;
   list.reserve(tools.size());
-  for (const ToolDriverMemory& tool : tools) list.push_back(tool.active);
+  for (const ToolGuideMemory& tool : tools) list.push_back(tool.active);
   return list;
 }
 
@@ -35,7 +35,7 @@ std::optional<LeadsMemory> readLeads(const std::string& bytes, const LeadsMemory
   require(memory.tools.size() == alike.tools.size(), "its tools are others");
   require(memory.obstacles.size() == alike.obstacles.size(), "its obstacles are others");
   require(memory.clamps.size() == alike.clamps.size(), "its clamps are others");
-  for (const ToolDriverMemory& tool : memory.tools) check(tool, archive.limits);
+  for (const ToolGuideMemory& tool : memory.tools) check(tool, archive.limits);
   check(memory.obstacles, archive.limits);
   check(memory.clamps, archive.limits);
   return memory;

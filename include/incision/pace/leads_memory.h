@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "incision/pace/link_tracker.h"
-#include "incision/ros/tool_driver.h"
+#include "incision/pace/tool_guide.h"
 
 namespace incision {
 
-/// How the node leads what moves, as far as that outlasts a step: each tool, each link of the obstacles, each clamp
+/// How a StepInput leads what moves, as far as that outlasts a step: each tool, each link of the obstacles, each clamp
 /// that has a frame.
 struct LeadsMemory {
-  std::vector<ToolDriverMemory> tools;
+  std::vector<ToolGuideMemory> tools;
   std::vector<FollowedLinkMemory> obstacles, clamps;
 
   /// Which tools do what their kind does.
