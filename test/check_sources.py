@@ -24,7 +24,7 @@ def stage_of(path):
     """The stage of a source file; the programs see what their library holds."""
     if path.name == 'incision_batch.cpp':
         return 'run'
-    if path.name in ('incision_node.cpp', 'incision_scalpel.cpp', 'incision_handle.cpp'):
+    if path.name in ('incision_node.cpp', 'incision_bag.cpp', 'incision_scalpel.cpp', 'incision_handle.cpp'):
         return 'ros'
     for root in (ROOT / 'include' / 'incision', ROOT / 'src'):
         if root in path.parents:

@@ -49,6 +49,7 @@ class ToolFrames(unittest.TestCase):
         """By one stroke."""
         client.wait_for(lambda: client.state.pieces == 2, 'the bar to be cut in two')
         states, stamp = self.seen[client]
+        client.wait_for(lambda: client.reports_after(stamp), 'the report, which comes over a connection of its own')
         self.assertEqual([('tool', CutReport.APPLIED, 2)],
                          [(report.label, report.status, report.pieces) for report in client.reports_after(stamp)])
         self.assertFalse(any(client.tool_in(state).stale for state in client.states[states:]))
