@@ -64,9 +64,10 @@ struct Run {
 };
 
 // What there is to say before or after a step, with the progress out of its way.
-void sayRemarks(const Run& run, const std::vector<CutResult>& cuts, double time, Progress* progress) {
-  std::vector<std::string> remarks;
-  if (run.source != nullptr) remarks = run.source->takeRemarks();
+void sayRemarks(const Run& run, const std::vector<CutResult>& cuts, double time, Progress* progress,
+                std::vector<std::string> remarks = {}) {
+  if (run.source != nullptr)
+    for (std::string& remark : run.source->takeRemarks()) remarks.push_back(std::move(remark));
   for (const CutResult& cut : cuts)
     if (run.source == nullptr && cut.status != CutStatus::APPLIED) remarks.push_back(remarkOn(cut, time));
   if (!remarks.empty()) progress->clear();
@@ -86,8 +87,8 @@ bool takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) 
       const StepResult step = body.step();
       statistics.add(step);
       if (run.source != nullptr) run.source->taken(step);
-      sayRemarks(run, step.cuts, time, &progress);
       outputs.add(body, step);
+      sayRemarks(run, step.cuts, time, &progress, outputs.takeRemarks());
       progress.show(body, step.step_ms);
     }
     if (run.source != nullptr) run.source->finish({});

@@ -24,33 +24,37 @@ void RunOutputs::start(const DeformableBody& body) {
 void RunOutputs::add(const DeformableBody& body, const StepResult& step) {
   if (record_) record_->write(body, step);
   if (series_) series_->add(body);
+  if (record_) check(options_.record, record_->good());
+  if (series_) check(options_.series, series_->good());
+}
+
+bool RunOutputs::check(const std::string& path, bool written) {
+  if (!written && lost_.insert(path).second) remarks_.push_back(printable(path) + ": could not be written to the end");
+  return written;
 }
 
 bool RunOutputs::finish(const DeformableBody& body, const std::string& leads, const SceneKey& key, const char* program,
                         std::ostream& err) {
-  bool all_written = save(body, leads, key, program, err);
-  const auto check = [&](const std::string& path, bool written) {
-    if (!written) err << program << ": " << printable(path) << ": could not be written to the end" << std::endl;
-    all_written = all_written && written;
-  };
-  if (record_) check(options_.record, record_->good());
+  const bool saved = save(body, leads, key, program, err);
+  bool written = !record_ || check(options_.record, record_->good());
   if (positions_) {
     writePositions(*positions_, body);
-    check(options_.positions, static_cast<bool>(positions_->flush()));
+    written = check(options_.positions, static_cast<bool>(positions_->flush())) && written;
   }
   if (snapshot_) {
     writeSnapshot(*snapshot_, body);
-    check(options_.snapshot, static_cast<bool>(snapshot_->flush()));
+    written = check(options_.snapshot, static_cast<bool>(snapshot_->flush())) && written;
   }
   if (volume_) {
     writeVolumeSnapshot(*volume_, body);
-    check(options_.volume, static_cast<bool>(volume_->flush()));
+    written = check(options_.volume, static_cast<bool>(volume_->flush())) && written;
   }
   if (series_) {
     series_->add(body, true);
-    check(options_.series, series_->good());
+    written = check(options_.series, series_->good()) && written;
   }
-  return all_written;
+  for (const std::string& remark : takeRemarks()) err << program << ": " << remark << std::endl;
+  return saved && written;
 }
 
 bool RunOutputs::save(const DeformableBody& body, const std::string& leads, const SceneKey& key, const char* program,

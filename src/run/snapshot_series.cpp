@@ -41,9 +41,13 @@ void SnapshotSeries::add(const DeformableBody& body, bool must) {
   int block = 0;
   for (const auto& [kind, write] : {std::pair{"surface", &writeSnapshot}, std::pair{"volume", &writeVolumeSnapshot}}) {
     const std::string path = numbered(stem_, kind, last_);
-    std::ofstream file = openOutput(path);
-    write(file, body);
-    good_ = file.flush() && good_;
+    try {
+      std::ofstream file = openOutput(path);
+      write(file, body);
+      good_ = file.flush() && good_;
+    } catch (const InputError&) {  // the folder is no longer there, or the disk is full
+      good_ = false;
+    }
     list_ << "<DataSet timestep=\"" << body.time() << "\" part=\"" << block++ << "\" name=\"" << kind << "\" file=\""
           << std::filesystem::path(path).filename().string() << "\"/>\n";
   }

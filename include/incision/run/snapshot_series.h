@@ -15,8 +15,7 @@ class SnapshotSeries {
   /// Throws InputError when the list cannot be created, or its name does not end in ".pvd". `every` ≥ 1.
   SnapshotSeries(const std::string& path, std::int64_t every);
 
-  /// Writes the body as it is, where its step is due or `must` is set, unless this step is there already. Throws
-  /// InputError when a file cannot be created.
+  /// Writes the body as it is, where its step is due or `must` is set, unless this step is there already.
   void add(const DeformableBody& body, bool must = false);
 
   /// Whether everything has reached the files.

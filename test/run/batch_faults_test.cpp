@@ -1,0 +1,105 @@
+// What the batch program makes of disks and signals.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "incision/run/state_file.h"
+#include "support/batch_folder.h"
+
+namespace incision {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class BatchFaults : public BatchFolder {
+ protected:
+  /// The program, whose standard output and error go to `end.json` and `err`.
+  pid_t start(std::vector<std::string> arguments) const {
+    const std::string program = fs::read_symlink("/proc/self/exe").parent_path() / "incision_batch";
+    arguments.insert(arguments.begin(), program);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    if (!std::freopen(file("end.json").c_str(), "w", stdout) || !std::freopen(file("err").c_str(), "w", stderr))
+      _exit(99);
+    execv(argv[0], argv.data());
+    _exit(99);
+  }
+
+  std::string errors() const {
+    std::string all;
+    for (const std::string& line : lines("err")) all += line + "\n";
+    return all;
+  }
+};
+
+TEST_F(BatchFaults, ASignalEndsARunWithinAStepWithAllThatWasRecordedWhole) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start({file("bar.yaml"), "--steps", "10000000", "--set", "body.grid.cells=[12,6,6]", "--record",
+                               file("run.csv"), "--save", file("end.state")});
+    ASSERT_GT(child, 0);
+    const auto deadline = std::chrono::steady_clock::now() + 60s;
+    while (!fs::exists(file("run.csv")) || lines("run.csv").size() < 6) {
+      ASSERT_LT(std::chrono::steady_clock::now(), deadline) << errors();
+      std::this_thread::sleep_for(2ms);
+    }
+    ASSERT_EQ(kill(child, signal), 0);
+    const std::size_t taken = lines("run.csv").size();  // and a row that is being written
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status << errors();
+
+    const std::vector<std::string> rows = lines("run.csv");
+    EXPECT_LE(rows.size(), taken + 2);
+    for (const std::string& row : rows)
+      EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(rows[0].begin(), rows[0].end(), ',')) << row;
+    const nlohmann::json end = nlohmann::json::parse(lines("end.json").at(0));
+    EXPECT_EQ(end["steps"].get<std::size_t>(), rows.size() - 1);
+    EXPECT_EQ(
+        run({file("bar.yaml"), "--steps", "0", "--set", "body.grid.cells=[12,6,6]", "--restore", file("end.state")}),
+        BatchStatus::DONE)
+        << err_.str();
+    EXPECT_EQ(nlohmann::json::parse(out_.str())["state_hash"], end["state_hash"]);
+    fs::remove(file("run.csv"));
+  }
+}
+
+TEST_F(BatchFaults, ADiskThatIsFullIsToldOfAndTheRunGoesToItsEnd) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  for (const char* option : {"--record", "--positions", "--snapshot", "--volume"}) {
+    EXPECT_EQ(run({file("bar.yaml"), "--steps", "3", option, "/dev/full"}), BatchStatus::FAILED) << option;
+    EXPECT_NE(err_.str().find("/dev/full: could not be written to the end"), std::string::npos) << err_.str();
+    EXPECT_EQ(nlohmann::json::parse(out_.str())["steps"], 3) << option;
+  }
+}
+
+TEST_F(BatchFaults, AFolderThatGoesAwayIsToldOfAndTheRunGoesToItsEnd) {
+  fs::create_directory(file("gone"));
+  const pid_t child = start({file("bar.yaml"), "--steps", "300", "--set", "body.grid.cells=[12,6,6]", "--series",
+                             file("gone/run.pvd"), "--every", "5", "--save", file("gone/end.state")});
+  ASSERT_GT(child, 0);
+  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  while (!fs::exists(file("gone/run_surface_00000005.vtu"))) {
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline) << errors();
+    std::this_thread::sleep_for(2ms);
+  }
+  fs::rename(file("gone"), file("moved"));
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == static_cast<int>(BatchStatus::FAILED)) << status << errors();
+  EXPECT_NE(errors().find(file("gone/end.state") + ": could not be written"), std::string::npos) << errors();
+  EXPECT_NE(errors().find(file("gone/run.pvd") + ": could not be written to the end"), std::string::npos) << errors();
+  EXPECT_EQ(nlohmann::json::parse(lines("end.json").at(0))["steps"], 300);
+}
+
+}  // namespace
+}  // namespace incision
