@@ -31,6 +31,7 @@ BodyMemory DeformableBody::State::read(ArchiveReader* archive) const {
                      " elements, and is not of this scene, whose mesh has " + std::to_string(own[0]) + " and " +
                      std::to_string(own[1]));
   BodyMemory memory;
+  memory.live.threads = live.threads;
   (*archive)(memory);
   archive->limits = mesh.check(memory.mesh);
   archive->limits.regions = static_cast<int>(scene.body.regions.size()) + 1;
@@ -48,6 +49,7 @@ void DeformableBody::State::check(const BodyMemory& memory, const MemoryLimits& 
   require(memory.unsettled_steps >= 0 && memory.unsettled_steps <= memory.steps,
           "it has settled in less than no steps");
   require(memory.fractured_steps >= 0 && memory.fractured_steps <= memory.steps + 1, "it breaks at another step");
+  check(memory.live, limits);
   require(memory.cuts_done <= cuts.size(), "it has done more cuts than the scene has");
   require(memory.growth.has_value() == growth.has_value(), "it breaks otherwise than the scene says");
   if (memory.growth) check(*memory.growth, limits);
@@ -74,6 +76,7 @@ void DeformableBody::restore(std::string_view bytes) {
   if (archive.left() > 0)
     throw InputError("the saved body is followed by " + std::to_string(archive.left()) + " bytes");
   state_->recall(memory);
+  state_->set(memory.live);
 }
 
 }  // namespace incision

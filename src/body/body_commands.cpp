@@ -59,6 +59,17 @@ std::optional<CutResult> DeformableBody::State::ended(const std::optional<CutRes
   return withPieces(*stroke);
 }
 
+/// All that acts in a step, and all who have threads, take them over.
+void DeformableBody::State::set(const LiveSettings& settings) {
+  live = settings;
+  step.setTolerance(live.tolerance);
+  step.setGravity(live.gravity);
+  step.setThreads(live.threads);
+  mesh.setThreads(live.threads);
+  skin.setThreads(live.threads);
+  for (const auto& tool : tools) tool->scaleCuttingForce(live.cutting_force_factor);
+}
+
 void DeformableBody::State::applyDueCuts() {
   while (cuts_done < cuts.size() && cuts[cuts_done].time <= time() + DUE_TOLERANCE)
     reports.cuts.push_back(cut(cuts[cuts_done++].plane));

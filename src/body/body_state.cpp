@@ -55,6 +55,7 @@ Motion atRest(const CutMesh& mesh) {
 DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& descriptions,
                              const MakeLinearSolver& make_solver)
     : scene(s),
+      live(liveSettingsOf(s)),
       cuts(byTime(s.cuts)),
       mesh(withOrderedElements(std::move(rest)), s.solver.threads),
       bounds(boundsOf(mesh)),
@@ -139,6 +140,7 @@ BodyMemory DeformableBody::State::keep() const {
                     unsettled_steps,
                     cuts_done,
                     fractured_steps,
+                    live,
                     mesh.keep(),
                     {},
                     obstacle_motions.inStep(),
@@ -148,6 +150,7 @@ BodyMemory DeformableBody::State::keep() const {
   return memory;
 }
 
+/// All but what was set anew, which a reset keeps.
 void DeformableBody::State::recall(const BodyMemory& memory) {
   steps = memory.steps;
   unsettled_steps = memory.unsettled_steps;

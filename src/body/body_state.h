@@ -45,6 +45,7 @@ struct BodyMemory {
   std::int64_t steps = 0, unsettled_steps = 0;
   std::size_t cuts_done = 0;
   std::int64_t fractured_steps = 0;
+  LiveSettings live;
   CutMesh::Memory mesh;
   std::optional<CrackGrowth::Memory> growth;
   std::vector<RigidMotion> obstacles;
@@ -54,8 +55,8 @@ struct BodyMemory {
 
 template <class Archive>
 void serialize(Archive& archive, BodyMemory& memory) {
-  auto& [steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, clamps, step] = memory;
-  archive(steps, unsettled_steps, cuts_done, fractured_steps, mesh, growth, obstacles, clamps, step);
+  auto& [steps, unsettled_steps, cuts_done, fractured_steps, live, mesh, growth, obstacles, clamps, step] = memory;
+  archive(steps, unsettled_steps, cuts_done, fractured_steps, live, mesh, growth, obstacles, clamps, step);
 }
 
 /// What a body is made of. Commands change the mesh, steps the motion.
@@ -71,6 +72,7 @@ struct DeformableBody::State {
   void applyDueCuts();
   CutResult withPieces(CutResult cut) const;
   std::optional<CutResult> ended(const std::optional<CutResult>& stroke) const;
+  void set(const LiveSettings& settings);
 
   // A step.
   void fracture();
@@ -99,6 +101,7 @@ struct DeformableBody::State {
   double time() const { return static_cast<double>(steps) * scene.solver.time_step; }
 
   Scene scene;
+  LiveSettings live;
   std::vector<ScheduledCut> cuts;  // of the scene, by time
   CutMesh mesh;
   const RestBox bounds;  // of the mesh
@@ -128,6 +131,7 @@ struct DeformableBody::State {
   double couplers_ms = 0;  // to find what may act in it
   StepTimes times;
   SolveStats solved;
+  bool divided = false;
   // What the body does to clamps and obstacles, where it is wanted: in the step so far, and in the one taken last.
   bool wants_wrenches = false;
   BodyWrenches felt, wrenches;

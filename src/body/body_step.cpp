@@ -53,6 +53,7 @@ bool DeformableBody::State::advance(const StepSpan& span, double time, StepDeman
     couplers.stepFailed();
     return false;
   }
+  divided = divided || !span.isWhole();
   if (coupled || !span.isWhole()) last_steps.forget();
   if (wants_wrenches) feel(span, coupled);
   if (coupled) couplers.accept(step.moved(), motion, step.felt());

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "body_state.h"
+#include "incision/base/input_error.h"
+#include "incision/base/parallel.h"
 
 namespace incision {
 namespace {
@@ -25,15 +27,17 @@ class Hash {
 
 /// Largest |x − X| over the material [m]. Displacements are linear in each part, so its corners have the largest.
 double largestDisplacement(const CutMesh& mesh, const std::vector<Vec3>& x) {
-  double largest = 0;
-  std::array<Vec3, 4> u;
-  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+  std::vector<double> squares(mesh.parts().size());
+  parallelFor(static_cast<int>(squares.size()), mesh.threads(), [&](int p) {
     const Part& part = mesh.parts()[p];
+    std::array<Vec3, 4> u;
     for (int I = 0; I < 4; ++I) u[I] = x[part.copies[I]] - mesh.mesh().nodes[mesh.mesh().elements[part.element][I]];
-    for (const Barycentric& b : mesh.polytope(static_cast<int>(p)).corners)
+    double largest = 0;
+    for (const Barycentric& b : mesh.polytope(p).corners)
       largest = std::max(largest, (b[0] * u[0] + b[1] * u[1] + b[2] * u[2] + b[3] * u[3]).squaredNorm());
-  }
-  return std::sqrt(largest);
+    squares[p] = largest;
+  });
+  return squares.empty() ? 0 : std::sqrt(*std::max_element(squares.begin(), squares.end()));
 }
 
 }  // namespace
@@ -63,6 +67,7 @@ StepResult DeformableBody::step() {
   s.times = StepTimes();
   s.couplers_ms = 0;
   s.solved = SolveStats();
+  s.divided = false;
   if (!s.advance()) {
     throw StepFailed("step " + std::to_string(s.steps) + " at " + std::to_string(t) +
                      " s failed, also in shorter ones: the system is not positive definite or a value is not finite");
@@ -91,6 +96,7 @@ void DeformableBody::State::fillResult(StepResult* result) {
   result->residual = solved.residual;
   result->solves = solved.solves;
   result->settled = solved.settled;
+  result->divided = divided;
   result->phase_ms.contact = couplers_ms;
   result->phase_ms.assembly = times.assembly;
   result->phase_ms.solve = times.solve;
@@ -152,6 +158,13 @@ void DeformableBody::wantWrenches(bool wanted) {
 
 const BodyWrenches& DeformableBody::wrenches() const { return state_->wrenches; }
 
+const LiveSettings& DeformableBody::live() const { return state_->live; }
+
+void DeformableBody::set(const LiveSettings& settings) {
+  if (const std::string why = whyInvalid(settings); !why.empty()) throw InputError(why);
+  state_->set(settings);
+}
+
 void DeformableBody::reset() { state_->recall(state_->at_start); }
 
 const Scene& DeformableBody::scene() const { return state_->scene; }
@@ -198,7 +211,7 @@ BodyMotion DeformableBody::motion() const {
     motion.mass += assembly.masses()[c];
     motion.momentum += Mv[c];
     motion.kinetic_energy += 0.5 * s.motion.v[c].dot(Mv[c]);
-    motion.potential_energy -= assembly.masses()[c] * s.scene.gravity.dot(s.motion.x[c]);
+    motion.potential_energy -= assembly.masses()[c] * s.live.gravity.dot(s.motion.x[c]);
   }
   motion.max_displacement = largestDisplacement(s.mesh, s.motion.x);
   motion.elastic_energy = assembly.elasticEnergy(s.motion.x);

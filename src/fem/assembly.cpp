@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "incision/base/parallel.h"
@@ -217,14 +218,18 @@ Mat3 Assembly::rotationAt(int part, const Mat3& F) const {
 }
 
 double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
-  if (patches_) averageDilatations(x, [&](int p, const Mat3& F) { return rotationAt(p, F); });
-  double energy = 0;
-  for (std::size_t p = 0; p < mesh_.parts().size(); ++p) {
-    const int part = static_cast<int>(p);
-    const Mat3 F = gradientOf(part, x), RtF = rotationAt(part, F).transpose() * F;
-    energy += 0.5 * volume(part) * stressOf(part, RtF, lameOf(part)).cwiseProduct(corotatedStrain(RtF)).sum();
+  const std::size_t parts = mesh_.parts().size();
+  if (patches_) {
+    std::vector<Mat3> turned(parts);
+    turnAll(x, [&](int p, const Mat3&, const Mat3& R) { turned[p] = R; });
+    averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return turned[p]; });
   }
-  return energy;
+  std::vector<double> energies(parts);
+  turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
+    const Mat3 RtF = R.transpose() * F;
+    energies[p] = 0.5 * volume(p) * stressOf(p, RtF, lameOf(p)).cwiseProduct(corotatedStrain(RtF)).sum();
+  });
+  return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "incision/base/yaml_reader.h"
+
 namespace incision {
 namespace {
 
@@ -13,12 +15,6 @@ namespace {
 constexpr double WARNING_PERIOD = 10;
 
 SteadyTime now() { return std::chrono::steady_clock::now(); }
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
 
 }  // namespace
 

@@ -30,22 +30,31 @@ MarkerPublisher::Topology::Topology(const DeformableBody& body) : surface(body.s
 
 MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body)
     : body_settings_(settings.scene.body),
-      field_(settings.marker_field),
       materials_(body.materials()),
       obstacles_(body.obstacles()),
       contact_names_(contactNames(obstacles_, namesOf(settings.scene.tools))),
-      next_(settings.marker_rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max()) {
-  if (settings.marker_rate == 0) return;
-  period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.marker_rate));
+      node_(node) {
+  for (std::size_t i = 0; i < body.tools(); ++i) tool_forms_.push_back(body.toolForm(i));
+  set(settings.markers);
+}
+
+void MarkerPublisher::set(const MarkerSettings& settings) {
+  field_ = settings.field;
+  next_ = settings.rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max();
+  if (settings.rate == 0) return;
+  period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.rate));
+  if (!thread_.joinable()) start();
+}
+
+void MarkerPublisher::start() {
   const auto advertise = [&](const std::string& topic) {
-    return node.advertise<visualization_msgs::MarkerArray>(topic, 1);
+    return node_.advertise<visualization_msgs::MarkerArray>(topic, 1);
   };
   body_publisher_ = advertise("markers");
-  cloud_publisher_ = node.advertise<sensor_msgs::PointCloud2>("surface", 1);
-  contact_publisher_ = node.advertise<Contacts>("contacts", 1);
+  cloud_publisher_ = node_.advertise<sensor_msgs::PointCloud2>("surface", 1);
+  contact_publisher_ = node_.advertise<Contacts>("contacts", 1);
   if (!obstacles_.shapes.empty()) obstacle_publisher_ = advertise("obstacles");
-  if (body.tools() > 0) tool_publisher_ = advertise("tool_markers");
-  for (std::size_t i = 0; i < body.tools(); ++i) tool_forms_.push_back(body.toolForm(i));
+  if (!tool_forms_.empty()) tool_publisher_ = advertise("tool_markers");
   thread_ = std::thread([this] { run(); });
 }
 
@@ -63,6 +72,7 @@ void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>&
   snapshot.wants_markers = body_publisher_.getNumSubscribers() > 0;
   snapshot.wants_cloud = cloud_publisher_.getNumSubscribers() > 0;
   snapshot.wants_stress = wants_stress;
+  snapshot.field = field_;
   if (snapshot.wants_markers || snapshot.wants_cloud || wants_stress) addBody(body, &snapshot);
   snapshot.step = body.steps();
   if (wantsContacts()) snapshot.wrenches = body.wrenches();
@@ -81,7 +91,7 @@ void MarkerPublisher::addBody(const DeformableBody& body, Snapshot* snapshot) {
     topology_ = std::make_shared<Topology>(body);
     topology_version_ = body.topologyVersion();
   }
-  if (snapshot->needsStress(field_) && !topology_->mesh) {
+  if (snapshot->needsStress() && !topology_->mesh) {
     topology_ = std::make_shared<Topology>(*topology_);  // the thread may be reading the other one
     topology_->mesh = std::make_shared<CutMesh>(body.mesh());
   }
@@ -142,7 +152,7 @@ std::vector<double> MarkerPublisher::findStress(const Snapshot& snapshot) {
 void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& stamp) {
   const Topology& topology = *snapshot.topology;
   std::vector<double> of_triangles;
-  if (snapshot.needsStress(field_)) of_triangles = findStress(snapshot);
+  if (snapshot.needsStress()) of_triangles = findStress(snapshot);
   const std::vector<Vec3> x = surfacePositions(topology.surface, snapshot.positions);
   if (snapshot.wants_cloud)
     cloud_publisher_.publish(toCloud(topology.surface, x, topology.regions, of_triangles, frame_, stamp));
@@ -150,7 +160,7 @@ void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& sta
   BodyView view;
   view.surface = &topology.surface;
   view.x = x;
-  view.field = field_;
+  view.field = snapshot.field;
   view.num_regions = materials_.regions().count();
   view.regions = topology.regions;
   view.von_mises = of_triangles;

@@ -44,22 +44,35 @@ IncisionNode::IncisionNode()
       body_(settings_.scene, loadMeshAloud(settings_.scene), settings_.descriptions),
       pacer_(makePacer(settings_)),
       tasks_(wakeup_),
-      reporter_(node_, settings_.scene),
+      reporter_(node_, settings_.scene, &publishing_),
       markers_(node_, settings_, body_),
-      state_(node_.advertise<BodyState>("state", STATE_QUEUE)),
+      state_(&publishing_, node_.advertise<BodyState>("state", STATE_QUEUE), STATE_QUEUE),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
       input_(node_, settings_, body_, reporter_, wakeup_),
       step_input_(body_, *pacer_, input_.commands(), input_.frames(), reporter_),
       watch_(*pacer_, input_.commands(), reporter_),
+      reconfigure_(
+          node_, {body_.live(), settings_.markers}, tasks_, &publishing_,
+          [this](const NodeLiveSettings& settings) { set(settings); },
+          [this](const Refused& refused) { reporter_.refuseSettings(refused); }),
       checkpoints_(node_, settings_, keyOf(body_, settings_.descriptions), tasks_,
                    {[this] { return save(); }, [this](const SavedState& state) { restore(state); },
                     [this] { return body_.steps(); }}),
+      diagnostics_(
+          node_, settings_,
+          [this] {
+            return InputCounts{reporter_.counts(), input_.commands().late(), input_.commands().thinned(), 0};
+          },
+          [this] {
+            return Waiting{input_.commands().waitingForTransform(), input_.commands().waitingForStep()};
+          }),
       spinner_(1) {
   for (const std::string& remark : remarksOn(body_.scene(), body_.mesh())) ROS_WARN_STREAM(remark);
   for (const std::string& remark : remarksOnShapes(body_)) ROS_WARN_STREAM(remark);
-  for (std::size_t i = 0; i < settings_.scene.tools.size(); ++i) tools_.emplace_back(node_, i, settings_.scene);
+  for (std::size_t i = 0; i < settings_.scene.tools.size(); ++i)
+    tools_.emplace_back(node_, i, settings_.scene, &publishing_);
   reporter_.setPieces(body_.counts().pieces);
   // Also because roscpp registers the node once more at its first message: were that the one that a node of the same
   // name has taken over, the master would end both.
@@ -89,6 +102,8 @@ void IncisionNode::run() {
     if (due.step) step();
     changed |= due.cut || due.step;
     if (changed || now() >= next_heartbeat_) publishState();
+    publishing_.flush();
+    tellCondition();
     watch_.look(now());
     checkpoints_.offer(now(), body_.topologyVersion());
     markers_.offer(body_, step_input_.obstaclePoses(), last_step_, wantsRegionStress(), now());
@@ -101,6 +116,7 @@ void IncisionNode::step() {
   if (taken) {
     step_input_.stepTaken();
     real_time_factor_.add(now(), body_.time());
+    diagnostics_.stepTaken(last_step_);
   }
   reportChanges();
 }
@@ -111,6 +127,7 @@ bool IncisionNode::tryStep() {
     body_.wantWrenches(markers_.wantsContacts());
     last_step_ = body_.step();
     for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].publish(last_step_, body_, step_input_.tools()[i]);
+    publishing_.flush();
     if (!last_step_.settled)
       reporter_.warn("settling",
                      std::to_string(body_.unsettledSteps()) + " steps so far whose contacts did not settle");
@@ -169,15 +186,14 @@ void IncisionNode::restore(const SavedState& state) {
   body_.restore(state.body);
   step_input_.recall(leads, {Refusal::BY_RESET, "the body was restored before this command took effect"});
   startAnew();
+  reconfigure_.show(body_.live());
 }
 
-bool IncisionNode::wantsRegionStress() const {
-  return !body_.materials().regions().areOne() && state_.getNumSubscribers() > 0;
-}
+bool IncisionNode::wantsRegionStress() const { return !body_.materials().regions().areOne() && state_.wanted(); }
 
 void IncisionNode::publishState() {
   next_heartbeat_ = now() + HEARTBEAT;
-  if (state_.getNumSubscribers() == 0) return;
+  if (!state_.wanted()) return;
   BodyState state;
   state.header.stamp = ros::Time::now();
   state.header.frame_id = settings_.scene.body.frame;
@@ -202,7 +218,28 @@ void IncisionNode::publishState() {
     state.tools.push_back(tools_[i].state(last_step_, body_, step_input_.tools()[i]));
     state.tools.back().refused = reporter_.refusedOf(i);
   }
-  state_.publish(state);
+  state_.give([&](BodyState* message) { std::swap(*message, state); });
+}
+
+void IncisionNode::tellCondition() {
+  diagnostics_.tell([this](Condition* condition) {
+    condition->paused = step_input_.paused();
+    condition->by_clock = ros::Time::isSimTime();
+    condition->error = error_;
+    condition->steps = body_.steps();
+    condition->real_time_factor = real_time_factor_.value();
+    condition->clock_lag = pacer_->lag();
+    condition->tolerance = body_.live().tolerance;
+    condition->ignored_transforms = step_input_.ignored();
+    for (std::size_t i = 0; i < tools_.size(); ++i)
+      condition->stale[i] = static_cast<char>(step_input_.tools()[i].stale());
+  });
+}
+
+/// Between steps.
+void IncisionNode::set(const NodeLiveSettings& settings) {
+  body_.set(settings.body);
+  markers_.set(settings.markers);
 }
 
 bool IncisionNode::pauseService(SetBool::Request& request, SetBool::Response& response) {

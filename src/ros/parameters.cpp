@@ -57,16 +57,14 @@ void loadCheckpointSettings(const YamlMap& parameters, NodeSettings* settings) {
 NodeSettings loadSettings(const ros::NodeHandle& node) {
   const YamlMap parameters = privateParameters(
       node, {"scene", "scene_folder", "tool_description", "obstacle_description", "marker_rate", "marker_field",
-             "transform_timeout", "max_lag", "checkpoint_folder", "autosave", "restore"});
+             "transform_timeout", "max_lag", "diagnostic_period", "checkpoint_folder", "autosave", "restore"});
   NodeSettings settings;
   settings.scene = loadSceneParameter(node, folderParameter(parameters, "scene_folder"));
   settings.descriptions = readDescriptions(node, &settings.scene);
-  settings.marker_rate = parameters.number("marker_rate", settings.marker_rate, {0, 1000});
-  if (const auto field = parameters.find("marker_field"))
-    settings.marker_field = field->choice<MarkerField>(
-        {{"none", MarkerField::NONE}, {"region", MarkerField::REGION}, {"stress", MarkerField::STRESS}});
+  settings.markers = parseMarkers(parameters, settings.markers);
   settings.transform_timeout = parameters.number("transform_timeout", settings.transform_timeout, {0, 60});
   settings.max_lag = parameters.number("max_lag", settings.max_lag, {MAX_CLOCK_ADVANCE, 1e6});
+  settings.diagnostic_period = parameters.number("diagnostic_period", settings.diagnostic_period, {0.1, 60});
   loadCheckpointSettings(parameters, &settings);
   return settings;
 }

@@ -19,12 +19,14 @@ constexpr double FLUSH_TIME = 0.2;
 
 }  // namespace
 
-Reporter::Reporter(ros::NodeHandle& node, const Scene& scene)
+Reporter::Reporter(ros::NodeHandle& node, const Scene& scene, PublishingThread* thread)
     : body_frame_(scene.body.frame),
-      publisher_(node.advertise<CutReport>("cut_report", REPORT_QUEUE, true)),
+      thread_(thread),
+      cut_reports_(thread, node.advertise<CutReport>("cut_report", REPORT_QUEUE, true), MessageQueue<CutReport>::ALL),
       of_tools_(scene.tools.size()) {
   for (const ToolSettings& tool : scene.tools) tools_.push_back(tool.name);
-  if (scene.fracture) crack_publisher_ = node.advertise<CrackEvent>("crack_event", REPORT_QUEUE);
+  if (scene.fracture)
+    crack_events_ = {thread, node.advertise<CrackEvent>("crack_event", REPORT_QUEUE), MessageQueue<CrackEvent>::ALL};
 }
 
 void Reporter::setPieces(int pieces) { pieces_ = pieces; }
@@ -37,11 +39,13 @@ void Reporter::report(const CutResult& result) {
 
 void Reporter::report(const CrackResult& result) {
   if (result.change == CrackChange::STOPPED) warn("stopped cracks", "a limit of parts or copies stopped a crack");
-  if (crack_publisher_.getNumSubscribers() == 0) return;
-  CrackEvent event = toEvent(result);
-  event.header.stamp = ros::Time::now();
-  event.header.frame_id = body_frame_;
-  crack_publisher_.publish(event);
+  if (!crack_events_.wanted()) return;
+  crack_events_.give([&](CrackEvent* event) {
+    *event = toEvent(result);
+    event->header.stamp = ros::Time::now();
+    event->header.frame_id = body_frame_;
+  });
+  thread_->flush();
 }
 
 void Reporter::refuseCut(const std::string& label, const Refused& refused) {
@@ -59,6 +63,8 @@ void Reporter::refuseTool(int tool, const Refused& refused) {
   count("a message to the tool '" + tools_[static_cast<std::size_t>(tool)] + "'", refused);
 }
 
+void Reporter::refuseSettings(const Refused& refused) { count("what was to be set anew", refused); }
+
 void Reporter::count(const std::string& whose, const Refused& refused) {
   ++counts_[static_cast<int>(refused.kind)];
   warn("refused " + whose, "refused " + whose + ": " + refused.reason);
@@ -71,14 +77,23 @@ void Reporter::warn(const std::string& about, const std::string& text) {
 void Reporter::inform(const std::string& text) { ROS_INFO_STREAM(text); }
 
 void Reporter::flush() {
-  if (publisher_.getNumSubscribers() > 0) ros::WallDuration(FLUSH_TIME).sleep();
+  thread_->sendAll();
+  if (cut_reports_.wanted()) ros::WallDuration(FLUSH_TIME).sleep();
 }
 
 void Reporter::publish(const CutResult& result) {
-  CutReport report = toReport(result);
-  report.header.stamp = ros::Time::now();
-  report.header.frame_id = body_frame_;
-  publisher_.publish(report);
+  cut_reports_.give([&](CutReport* report) {
+    *report = toReport(result);
+    report->header.stamp = ros::Time::now();
+    report->header.frame_id = body_frame_;
+  });
+  thread_->flush();
+}
+
+std::array<std::uint64_t, NUM_REFUSALS> Reporter::counts() const {
+  std::array<std::uint64_t, NUM_REFUSALS> counts;
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = counts_[i];
+  return counts;
 }
 
 void Reporter::fillState(BodyState& state) const {

@@ -1,9 +1,5 @@
 #include "incision/ros/tool_publisher.h"
 
-#include <geometry_msgs/PoseStamped.h>
-#include <geometry_msgs/WrenchStamped.h>
-#include <sensor_msgs/JointState.h>
-
 #include <utility>
 
 #include "incision/ros/conversions.h"
@@ -21,16 +17,19 @@ std::string wrenchFrame(const ToolSettings& tool) {
 
 }  // namespace
 
-ToolPublisher::ToolPublisher(ros::NodeHandle& node, std::size_t tool, const Scene& scene)
+ToolPublisher::ToolPublisher(ros::NodeHandle& node, std::size_t tool, const Scene& scene, PublishingThread* thread)
     : tool_(tool),
       name_(scene.tools[tool].name),
       joint_(scene.tools[tool].jaw ? scene.tools[tool].jaw->joint : ""),
       body_frame_(scene.body.frame),
       wrench_frame_(wrenchFrame(scene.tools[tool])),
-      pose_publisher_(node.advertise<geometry_msgs::PoseStamped>(name_ + "/measured_cp", MEASURED_QUEUE)),
-      wrench_publisher_(node.advertise<geometry_msgs::WrenchStamped>(name_ + "/measured_cf", MEASURED_QUEUE)) {
+      poses_(thread, node.advertise<geometry_msgs::PoseStamped>(name_ + "/measured_cp", MEASURED_QUEUE),
+             MEASURED_QUEUE),
+      wrenches_(thread, node.advertise<geometry_msgs::WrenchStamped>(name_ + "/measured_cf", MEASURED_QUEUE),
+                MEASURED_QUEUE) {
   if (scene.tools[tool].jaw)
-    jaw_publisher_ = node.advertise<sensor_msgs::JointState>(name_ + "/jaw/measured_js", MEASURED_QUEUE);
+    jaws_ = {thread, node.advertise<sensor_msgs::JointState>(name_ + "/jaw/measured_js", MEASURED_QUEUE),
+             MEASURED_QUEUE};
 }
 
 /// What the step says of the tool; before the first step there is nothing to say.
@@ -45,7 +44,7 @@ void ToolPublisher::publish(const StepResult& step, const DeformableBody& body, 
   const std::optional<Pose>& pose = body.toolPose(tool_);
   const bool valid = pose && !guide.stale();
   if (pose) publishPose(*pose, now);
-  if (jaw_publisher_) publishJaw(report, now);
+  publishJaw(report, now);
   if (valid)
     publishWrench(report, now);
   else if (valid_)
@@ -56,31 +55,32 @@ void ToolPublisher::publish(const StepResult& step, const DeformableBody& body, 
 }
 
 void ToolPublisher::publishPose(const Pose& pose, const ros::Time& stamp) {
-  if (pose_publisher_.getNumSubscribers() == 0) return;
-  geometry_msgs::PoseStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = body_frame_;
-  message.pose = toPoseMessage(pose);
-  pose_publisher_.publish(message);
+  if (!poses_.wanted()) return;
+  poses_.give([&](geometry_msgs::PoseStamped* message) {
+    message->header.stamp = stamp;
+    message->header.frame_id = body_frame_;
+    message->pose = toPoseMessage(pose);
+  });
 }
 
 void ToolPublisher::publishJaw(const ToolReport& report, const ros::Time& stamp) {
-  if (jaw_publisher_.getNumSubscribers() == 0) return;
-  sensor_msgs::JointState message;
-  message.header.stamp = stamp;
-  message.name = {joint_};
-  message.position = {report.jaw};
-  message.effort = {report.jaw_torque};
-  jaw_publisher_.publish(message);
+  if (!jaws_.wanted()) return;
+  jaws_.give([&](sensor_msgs::JointState* message) {
+    message->header.stamp = stamp;
+    message->name.assign(1, joint_);
+    message->position.assign(1, report.jaw);
+    message->effort.assign(1, report.jaw_torque);
+  });
 }
 
 void ToolPublisher::publishWrench(const ToolReport& report, const ros::Time& stamp) {
-  geometry_msgs::WrenchStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = wrench_frame_;
-  message.wrench.force = toVector3(report.force);
-  message.wrench.torque = toVector3(report.torque);
-  wrench_publisher_.publish(message);
+  if (!wrenches_.wanted()) return;
+  wrenches_.give([&](geometry_msgs::WrenchStamped* message) {
+    message->header.stamp = stamp;
+    message->header.frame_id = wrench_frame_;
+    message->wrench.force = toVector3(report.force);
+    message->wrench.torque = toVector3(report.torque);
+  });
 }
 
 void ToolPublisher::restart() {

@@ -102,6 +102,11 @@ SystemFactors ImplicitStep::factors() const {
           time_step_ * materials.stiffnessDamping() + time_step_ * time_step_};
 }
 
+void ImplicitStep::setThreads(int threads) {
+  settings_.threads = threads;
+  assembly_.setThreads(threads);
+}
+
 const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& motion) {
   time_step_ = time_step;
   rigid_.euler(assembly_, motion, time_step, &base_);

@@ -8,12 +8,13 @@
 #include <new>
 
 #include "incision/solver/block_pool.h"
+#include "turns.h"
 
 namespace incision {
 namespace {
 
 /// From this many blocks on METIS orders better than approximate minimum degree.
-constexpr int METIS_FROM = 3000;
+constexpr std::size_t METIS_FROM = 3000;
 
 /// CHOLMOD opens parallel regions of its own; within this scope they get one thread, and its memory comes from the
 /// pool.
@@ -80,19 +81,24 @@ struct SparseCholesky::Cholmod {
     for (cholmod_dense** dense : {&solution, &scratch_y, &scratch_e}) cholmod_free_dense(dense, &common);
     cholmod_finish(&common);
   }
+  bool findOrder(cholmod_sparse* matrix, int* order);
   std::vector<int> blockOrder(int block);
 };
 
 SparseCholesky::SparseCholesky() : cholmod_(std::make_unique<Cholmod>()) {}
 SparseCholesky::~SparseCholesky() = default;
 
+bool SparseCholesky::Cholmod::findOrder(cholmod_sparse* matrix, int* order) {
+  if (matrix->nrow < METIS_FROM) return cholmod_amd(matrix, nullptr, 0, order, &common) != 0;
+  const auto turn = turnAtMetis();
+  return cholmod_metis(matrix, nullptr, 0, 1, order, &common) != 0;
+}
+
 std::vector<int> SparseCholesky::Cholmod::blockOrder(int block) {
   const LowerTriangle blocks = blocksOf(pattern, block);
   cholmod_sparse view = viewOf(blocks, nullptr);
   std::vector<int> order(blocks.size());
-  const bool done = blocks.size() < METIS_FROM ? cholmod_amd(&view, nullptr, 0, order.data(), &common)
-                                               : cholmod_metis(&view, nullptr, 0, 1, order.data(), &common);
-  if (!done) throw std::bad_alloc();
+  if (!findOrder(&view, order.data())) throw std::bad_alloc();
   std::vector<int> expanded;
   expanded.reserve(block * order.size());
   for (int b : order)
@@ -124,7 +130,10 @@ bool SparseCholesky::factorise(const std::vector<double>& values) {
   if (values == c.factorised) return true;
   c.factorised.clear();
   cholmod_sparse view = viewOf(c.pattern, values.data());
-  cholmod_factorize(&view, c.factor, &c.common);
+  {
+    const auto turn = turnAtBlas();
+    cholmod_factorize(&view, c.factor, &c.common);
+  }
   if (c.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   const bool done = c.common.status == CHOLMOD_OK && c.factor->minor == c.factor->n;
   if (done) c.factorised = values;
@@ -140,9 +149,12 @@ void SparseCholesky::solve(const std::vector<double>& b, std::vector<double>* x)
   right.x = const_cast<double*>(b.data());
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, c.factor, &right, nullptr, &c.solution, nullptr, &c.scratch_y, &c.scratch_e,
-                      &c.common))
-    throw std::bad_alloc();
+  {
+    const auto turn = turnAtBlas();
+    if (!cholmod_solve2(CHOLMOD_A, c.factor, &right, nullptr, &c.solution, nullptr, &c.scratch_y, &c.scratch_e,
+                        &c.common))
+      throw std::bad_alloc();
+  }
   const double* solution = static_cast<const double*>(c.solution->x);
   x->assign(solution, solution + b.size());
 }

@@ -17,6 +17,7 @@
 #include "incision/fem/materials.h"
 #include "incision/fracture/growth.h"
 #include "incision/rigid/wrench.h"
+#include "incision/scene/live_settings.h"
 #include "incision/scene/scene.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/surface/surface.h"
@@ -60,6 +61,7 @@ struct StepResult {
   double residual = 0;             ///< relative
   int solves = 0;                  ///< Newton steps for what touches, tears or cuts; 0 where nothing was to solve
   bool settled = true;             ///< one more would hardly have changed a force
+  bool divided = false;            ///< it was taken as two halves, or shorter parts
   double step_ms = 0;              ///< wall time of the whole step
   PhaseTimes phase_ms;
 };
@@ -145,6 +147,11 @@ class DeformableBody {
   /// Of the step taken last: the mean over it, of just the impulses with which its equations balance. Zero where none
   /// has been taken since they were wanted, or since a reset.
   const BodyWrenches& wrenches() const;
+
+  /// What holds from the next step on; at first as the scene says. A reset keeps it, and a saved body takes it along
+  /// but for the threads. `set` throws InputError for what the scene could not say.
+  const LiveSettings& live() const;
+  void set(const LiveSettings& settings);
 
   /// Back to the state after construction: no cuts, and those of the scene are still to come.
   void reset();

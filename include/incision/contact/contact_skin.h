@@ -30,6 +30,7 @@ class ContactSkin {
     return box_.exteriorDistance(centre) <= radius + largest_room_;
   }
   int threads() const { return threads_; }
+  void setThreads(int threads) { threads_ = threads; }
 
   /// Of the surface that was taken over last; 0: none yet.
   std::uint64_t version() const { return version_; }

@@ -115,6 +115,7 @@ class CutMesh {
   const CutPart& detail(int part) const { return details_[parts_[part].detail]; }
   int numCracks() const { return num_cracks_; }
   int threads() const { return threads_; }
+  void setThreads(int threads) { threads_ = threads; }
   /// Whether no crack has met an element.
   bool isWhole(int element) const { return parts_[element].detail < 0; }
 

@@ -62,6 +62,7 @@ class Assembly {
   bool warping() const { return warping_; }
   bool consistentMass() const { return mass_ == Mass::CONSISTENT; }
   int threads() const { return threads_; }
+  void setThreads(int threads) { threads_ = threads; }
   /// What shares a dilatation where the pressure is averaged, else null.
   const Patches* patches() const { return patches_ ? &*patches_ : nullptr; }
 

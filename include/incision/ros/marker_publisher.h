@@ -32,11 +32,13 @@ class MarkerPublisher {
   /// when it is time and somebody listens. With `wants_stress` also what it takes to find the stress of regions.
   void offer(const DeformableBody& body, const std::vector<Pose>& links, const StepResult& last_step, bool wants_stress,
              SteadyTime now);
+  /// From the next offer on. Nothing is advertised before the rate is first above 0.
+  void set(const MarkerSettings& settings);
   /// When to offer again.
   SteadyTime nextOffer() const { return next_; }
 
   /// Whether somebody listens to contacts, for which the body must want wrenches.
-  bool wantsContacts() const { return contact_publisher_.getNumSubscribers() > 0; }
+  bool wantsContacts() const { return next_ != SteadyTime::max() && contact_publisher_.getNumSubscribers() > 0; }
 
   /// Of each region, as it was found last; none before.
   std::vector<RegionStress> regionStress() const;
@@ -56,16 +58,16 @@ class MarkerPublisher {
     std::shared_ptr<Topology> topology;
     std::vector<Vec3> positions, loads;
     bool wants_markers = false, wants_cloud = false, wants_stress = false;
+    MarkerField field = MarkerField::NONE;
     std::optional<BodyWrenches> wrenches;
     std::int64_t step = 0;  ///< after which it is
     std::optional<std::vector<Pose>> links;
     std::optional<std::vector<ToolView>> tools;
 
-    bool needsStress(MarkerField field) const {
-      return wants_stress || wants_cloud || (wants_markers && field == MarkerField::STRESS);
-    }
+    bool needsStress() const { return wants_stress || wants_cloud || (wants_markers && field == MarkerField::STRESS); }
     bool empty() const { return !topology && !wrenches && !links && !tools; }
   };
+  void start();
   void addBody(const DeformableBody& body, Snapshot* snapshot);
   std::vector<ToolView> toolViews(const DeformableBody& body, const StepResult& last_step) const;
   void publish(const Snapshot& snapshot);
@@ -77,14 +79,15 @@ class MarkerPublisher {
 
   const BodySettings body_settings_;
   const std::string& frame_ = body_settings_.frame;
-  const MarkerField field_;
   const Materials materials_;
   const Obstacles obstacles_;
   const ContactNames contact_names_;
-  std::chrono::nanoseconds period_;
   std::vector<ToolForm> tool_forms_;
+  ros::NodeHandle node_;
+  MarkerField field_ = MarkerField::NONE;
+  std::chrono::nanoseconds period_{};
   ros::Publisher body_publisher_, cloud_publisher_, contact_publisher_, obstacle_publisher_, tool_publisher_;
-  SteadyTime next_;
+  SteadyTime next_ = SteadyTime::max();
   std::shared_ptr<Topology> topology_;
   std::uint64_t topology_version_ = 0;
 

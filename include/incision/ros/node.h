@@ -15,7 +15,10 @@
 #include "incision/pace/stepping_tasks.h"
 #include "incision/ros/checkpoint_server.h"
 #include "incision/ros/command_input.h"
+#include "incision/ros/diagnostics.h"
 #include "incision/ros/marker_publisher.h"
+#include "incision/ros/publishing_thread.h"
+#include "incision/ros/reconfigure.h"
 #include "incision/ros/reporter.h"
 #include "incision/ros/tool_publisher.h"
 
@@ -24,7 +27,8 @@ namespace incision {
 /// The ROS node: owns the body and takes its steps. Everything is in the node's private namespace.
 ///
 /// The thread that calls run() alone touches the body. Commands are received and checked by the thread of
-/// CommandInput, services are answered by the global queue's, markers are built by MarkerPublisher's.
+/// CommandInput, services are answered by the global queue's, markers are built by MarkerPublisher's, messages are sent
+/// by PublishingThread's, and Diagnostics' tells how it goes.
 class IncisionNode {
  public:
   /// Throws InputError when the parameters do not give a body.
@@ -54,6 +58,8 @@ class IncisionNode {
   void reportChanges();
   bool wantsRegionStress() const;
   void publishState();
+  void tellCondition();
+  void set(const NodeLiveSettings& settings);
 
   ros::NodeHandle node_{"~"};
   NodeSettings settings_;
@@ -61,6 +67,7 @@ class IncisionNode {
   std::unique_ptr<Pacer> pacer_;
 
   Wakeup wakeup_;
+  PublishingThread publishing_;
   SteppingTasks tasks_;
   Reporter reporter_;
   MarkerPublisher markers_;
@@ -69,14 +76,16 @@ class IncisionNode {
   std::string error_;
   SteadyTime next_heartbeat_;
 
-  ros::Publisher state_;
+  Outlet<BodyState> state_;
   ros::Subscriber clock_;
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;
   StepInput step_input_;
   PaceWatch watch_;
   std::vector<ToolPublisher> tools_;
+  Reconfigure reconfigure_;
   CheckpointServer checkpoints_;
+  Diagnostics diagnostics_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -13,6 +13,7 @@
 #include "incision/body/deformable_body.h"
 #include "incision/pace/answers.h"
 #include "incision/pace/throttle.h"
+#include "incision/ros/publishing_thread.h"
 
 namespace incision {
 
@@ -21,7 +22,7 @@ namespace incision {
 class Reporter : public Answers {
  public:
   /// There are crack events only of a body that breaks.
-  Reporter(ros::NodeHandle& node, const Scene& scene);
+  Reporter(ros::NodeHandle& node, const Scene& scene, PublishingThread* thread);
 
   /// The body's pieces now; every report says them, also of cuts that never reach the body.
   void setPieces(int pieces);
@@ -34,6 +35,8 @@ class Reporter : public Answers {
 
   void refuseCut(const std::string& label, const Refused& refused) override;
   void refuseTool(int tool, const Refused& refused) override;
+  /// Something that was to be set anew.
+  void refuseSettings(const Refused& refused);
 
   /// Go into the log.
   void warn(const std::string& about, const std::string& text) override;
@@ -44,6 +47,7 @@ class Reporter : public Answers {
 
   /// Counts so far, into the fields of the state.
   void fillState(BodyState& state) const;
+  std::array<std::uint64_t, NUM_REFUSALS> counts() const;
   /// Messages to the tool that were refused so far.
   std::uint64_t refusedOf(std::size_t tool) const { return of_tools_[tool]; }
 
@@ -52,7 +56,9 @@ class Reporter : public Answers {
   void publish(const CutResult& result);
 
   const std::string body_frame_;
-  ros::Publisher publisher_, crack_publisher_;
+  PublishingThread* thread_;
+  Outlet<CutReport> cut_reports_;
+  Outlet<CrackEvent> crack_events_;
   std::vector<std::string> tools_;  // names
   std::array<std::atomic<std::uint64_t>, NUM_REFUSALS> counts_ = {};
   std::vector<std::atomic<std::uint64_t>> of_tools_;

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/WrenchStamped.h>
 #include <incision/ToolState.h>
 #include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
 
 #include <string>
 
 #include "incision/pace/tool_guide.h"
+#include "incision/ros/publishing_thread.h"
 
 namespace incision {
 
@@ -16,7 +20,7 @@ namespace incision {
 class ToolPublisher {
  public:
   /// `tool`: its index in the scene.
-  ToolPublisher(ros::NodeHandle& node, std::size_t tool, const Scene& scene);
+  ToolPublisher(ros::NodeHandle& node, std::size_t tool, const Scene& scene, PublishingThread* thread);
 
   /// Right after a step: where the tool is and what it feels, while it is in place. What it feels has a stamp of zero
   /// where it is not valid: once when its pose has gone stale, or when it has been taken away, and none until a pose
@@ -39,7 +43,9 @@ class ToolPublisher {
   const std::string name_, joint_, body_frame_, wrench_frame_;
   bool valid_ = false;  ///< the last wrench was
   double latency_ = 0;  ///< [s]
-  ros::Publisher pose_publisher_, wrench_publisher_, jaw_publisher_;
+  Outlet<geometry_msgs::PoseStamped> poses_;
+  Outlet<geometry_msgs::WrenchStamped> wrenches_;
+  Outlet<sensor_msgs::JointState> jaws_;
 };
 
 }  // namespace incision

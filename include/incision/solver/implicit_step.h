@@ -69,6 +69,11 @@ class ImplicitStep : private StepEquations {
   /// Forgets everything that came after the construction, as the mesh was replaced. topologyChanged must follow.
   void reset();
 
+  /// Takes these instead of those that it was made with. Between steps.
+  void setGravity(const Vec3& gravity) { conditions_.gravity = gravity; }
+  void setTolerance(double tolerance) { settings_.tolerance = tolerance; }
+  void setThreads(int threads);
+
   /// A step starts: finds its base. Returns how far each copy goes in the step if nothing new acts on it [m].
   const std::vector<Vec3>& begin(double time_step, const Motion& motion);
   /// Of this step, as StepStart says.

@@ -70,6 +70,9 @@ class Tool : public Remembers {
   /// In the next step its joint turns evenly to this angle [rad], where it stays.
   void guideJaw(double angle) { tool_.jaw_to = angle; }
 
+  /// From now on cutting takes so many times the force that was asked for, ≥ 0.
+  virtual void scaleCuttingForce(double /*factor*/) {}
+
   /// Puts it there at once. This interrupts what it is doing, and returns what became of that, as the next two do.
   std::optional<CutResult> place(const Pose& pose);
 

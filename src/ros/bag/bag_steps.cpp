@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "incision/base/input_error.h"
 #include "incision/base/printable.h"
+#include "incision/ros/live_config.h"
 #include "incision/ros/parameters.h"
 
 namespace incision {
@@ -81,6 +83,9 @@ std::vector<BagTopic> BagSteps::topics(const std::string& node) {
     topics.push_back(bagTopic<tf2_msgs::TFMessage>(
         is_static ? "/tf_static" : "/tf", has_frames,
         [this, is_static](const tf2_msgs::TFMessage& message, SteadyTime) { receive(message, is_static); }));
+  topics.push_back(bagTopic<dynamic_reconfigure::Config>(
+      (node == "/" ? "" : node) + "/parameter_updates", false,
+      [this](const dynamic_reconfigure::Config& message, SteadyTime) { receive(message); }));
   topics.push_back(bagTopic<rosgraph_msgs::Clock>(
       "/clock", false,
       [this](const rosgraph_msgs::Clock& message, SteadyTime received) { receive(message, received); }));
@@ -101,6 +106,17 @@ void BagSteps::receive(const tf2_msgs::TFMessage& message, bool is_static) {
                                        printable(transform.header.frame_id) + "\" stamped " +
                                        std::to_string(transform.header.stamp.toSec()) +
                                        ": it is no transform, or it has come before, or too late");
+}
+
+/// What held in the node from then on, but for the threads.
+void BagSteps::receive(const dynamic_reconfigure::Config& message) {
+  try {
+    LiveSettings settings = changed({body_.live(), {}}, message, "parameter_updates").body;
+    settings.threads = body_.live().threads;
+    body_.set(settings);
+  } catch (const InputError& error) {
+    answers_.warn("what was set anew", error.what());
+  }
 }
 
 bool BagSteps::prepare() {

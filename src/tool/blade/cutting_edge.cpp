@@ -58,6 +58,11 @@ void CuttingEdge::leave() {
   depth_ = 0;
 }
 
+void CuttingEdge::scaleCuttingForce(double factor) {
+  if (factor == 0) leave();
+  force_factor_ = factor;
+}
+
 bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
   in_tissue_ = false;
   depth_ = 0;
@@ -87,7 +92,7 @@ bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
   }
   for (const Station& station : stations_)
     if (station.tissue.count > 0) springs->push_back(station.tissue);
-  return resists && *std::max_element(cutting_forces_.begin(), cutting_forces_.end()) > 0;
+  return resists && force_factor_ > 0 && *std::max_element(cutting_forces_.begin(), cutting_forces_.end()) > 0;
 }
 
 void CuttingEdge::findNear(const Edge& edge, const StepStart& start) {
@@ -126,7 +131,7 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   const Found& found = leaves ? *here : *ahead;
   station->tissue = found.tissue;
   station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * station->front;
-  station->most = cutting_forces_[materials_.regions().of(found.element)] * station->front;
+  station->most = force_factor_ * cutting_forces_[materials_.regions().of(found.element)] * station->front;
 }
 
 /// Whether the point of a part lies in a cut along which the edge goes.

@@ -126,4 +126,8 @@ std::optional<CutResult> WorkingEdges::interrupt() {
   return result;
 }
 
+void WorkingEdges::scaleCuttingForce(double factor) {
+  for (CuttingEdge& edge : resistances_) edge.scaleCuttingForce(factor);
+}
+
 }  // namespace incision

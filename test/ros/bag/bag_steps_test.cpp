@@ -84,6 +84,28 @@ TEST_F(BagRun, EveryCutIsAnswered) {
   EXPECT_NE(err_.str().find("is it wall time"), std::string::npos) << err_.str();
 }
 
+TEST_F(BagRun, WhatWasSetAnewTakesEffect) {
+  writeCut("cut.bag");
+  const auto update = [](const char* name, double value) {
+    dynamic_reconfigure::Config config;
+    config.doubles.resize(1);
+    config.doubles[0].name = name;
+    config.doubles[0].value = value;
+    return config;
+  };
+  {
+    rosbag::Bag bag(file("set.bag"), rosbag::bagmode::Write);
+    lasting(bag, 0.1);
+    bag.write("/incision/cut_plane", at(0.015), across(0.6, 0.015, "half"));
+    bag.write("/incision/parameter_updates", at(0), update("gravity_y", 7));
+    bag.write("/incision/parameter_updates", at(0.05), update("tolerance", 1));
+  }
+  const Json line = summaryOf("set.bag");
+  EXPECT_NE(err_.str().find("tolerance: '1' (allowed: "), std::string::npos) << err_.str();
+  EXPECT_EQ(line["state_hash"], summaryOf("cut.bag", "plain.yaml", {"--set", "gravity=[0,7,-9.81]"})["state_hash"]);
+  EXPECT_NE(line["state_hash"], hashOf("cut.bag"));
+}
+
 TEST_F(BagRun, FramesToolsJawsAndSwitchesAreFollowed) {
   writeAll("all.bag");
   const Json line = summaryOf("all.bag", "tools.yaml");

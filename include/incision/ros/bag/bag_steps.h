@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dynamic_reconfigure/Config.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
@@ -44,6 +45,7 @@ class BagSteps : public StepSource {
   std::vector<BagTopic> topics(const std::string& node);
   void receive(const rosgraph_msgs::Clock& message, SteadyTime received);
   void receive(const tf2_msgs::TFMessage& message, bool is_static);
+  void receive(const dynamic_reconfigure::Config& message);
   bool advance();
   SteadyTime nextTick() const;
   void tick();

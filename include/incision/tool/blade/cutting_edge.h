@@ -53,6 +53,9 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   /// The edge is no longer in the tissue that it was in.
   void leave();
 
+  /// As Tool::scaleCuttingForce. Where cutting takes no force, the edge holds nothing.
+  void scaleCuttingForce(double factor);
+
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& start, std::vector<Spring>* springs) override;
   void takeBounds(Span<const Vec3> moved, double share) override;
@@ -108,6 +111,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   Trial tryAt(const Station& station, const Vec3& moved) const;
 
   std::vector<double> cutting_forces_;  // in each region [N/m]
+  double force_factor_ = 1;             // by which these are multiplied
   double friction_;
   int group_;
   Edge edge_;

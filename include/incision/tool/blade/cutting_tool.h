@@ -47,6 +47,8 @@ class CuttingTool : public Base {
     return list;
   }
 
+  void scaleCuttingForce(double factor) override { edges_.scaleCuttingForce(factor); }
+
   ToolReport report() const override {
     ToolReport report = Base::report();
     if (this->pose()) edges_.addTo(&report);

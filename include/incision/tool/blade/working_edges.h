@@ -63,6 +63,9 @@ class WorkingEdges {
   /// The stroke ends. Returns what became of it, if it cut anything.
   std::optional<CutResult> interrupt();
 
+  /// As Tool::scaleCuttingForce.
+  void scaleCuttingForce(double factor);
+
   /// Adds what they did in the step taken last.
   void addTo(ToolReport* report) const;
 

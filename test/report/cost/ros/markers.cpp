@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
   besides.set_up = [&](const DeformableBody& body) {
     NodeSettings settings;
     settings.scene = body.scene();
-    settings.marker_rate = rate;
+    settings.markers.rate = rate;
     publisher = std::make_unique<MarkerPublisher>(node, settings, body);
     if (node.param("listens", false)) listener = std::make_unique<Listener>(node);
   };
