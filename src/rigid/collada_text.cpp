@@ -91,6 +91,13 @@ void checkCorners(const std::string& text, std::size_t at) {
   }
 }
 
+/// A reader never comes past what is no number in a list of indices, which begins at `at`.
+void checkIndices(const std::string& text, std::size_t at) {
+  const std::size_t wrong = text.find_first_not_of("0123456789+- \t\r\n", at);
+  if (wrong != std::string::npos && text.compare(wrong, 3, "</p") != 0)
+    throw InputError("has indices <p> with '" + printable(text.substr(wrong, 1)) + "' (allowed: whole numbers)");
+}
+
 /// Nodes, and what lies within each.
 class Nodes {
  public:
@@ -153,7 +160,9 @@ void checkCollada(const std::string& text) {
       continue;
     }
     checkCounts(tag, text.size());
-    if (tag.name == "vcount") checkCorners(text, std::min(at + 1, text.size()));
+    const std::size_t content = std::min(at + 1, text.size());
+    if (tag.name == "vcount") checkCorners(text, content);
+    if (tag.name == "p" && !tag.is_empty) checkIndices(text, content);
     const int parent = open.empty() ? NONE : open.back();
     const int node = tag.name == "node" ? nodes.add(tag, parent) : parent;
     if (tag.name == "instance_node") nodes.addInstance(tag, parent);

@@ -148,6 +148,15 @@ TEST(ReadTriangleMesh, ColladasCountsOfMoreThanTheTextHoldsAreRefused) {
   EXPECT_EQ(refusalOf(bad, ".dae"), "has the stride '4000000000' (allowed: whole numbers up to 1000)");
 }
 
+TEST(ReadTriangleMesh, ColladasIndicesThatAreNoNumbersAreRefused) {
+  const std::string good = asCollada(ANGLE);
+  for (const char* wrong : {"x", "\xff", "&#49;", "<!-- -->", "1.5", "<p>"}) {
+    std::string bad = good;
+    bad.insert(bad.find("<p>") + std::string("<p>0 ").size(), wrong);
+    EXPECT_EQ(refusalOf(bad, ".dae").find("has indices <p> with '"), 0u) << wrong;
+  }
+}
+
 TEST(ReadTriangleMesh, VerticesThatAreNotFiniteAreRefused) {
   TriangleMesh bad = ANGLE;
   bad.vertices[3].y() = std::nan("");
