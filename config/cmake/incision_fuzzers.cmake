@@ -22,6 +22,6 @@ endfunction()
 
 incision_fuzzer(mesh_reader 1500)
 incision_fuzzer(scene 1400)
-incision_fuzzer(state 1000)
+incision_fuzzer(state 15000)
 incision_fuzzer(triangle_mesh 1800)
 incision_fuzzer(urdf 900)

@@ -5,8 +5,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace incision {
 namespace detail {
@@ -47,11 +50,12 @@ class Pool {
   void run(int n, int threads, void (*f)(const void*, int, int), const void* context) {
     const std::unique_lock<std::mutex> only(one_job_, std::try_to_lock);
     if (threads <= 1 || n < 2 || !only) return f(context, 0, n);
-    while (static_cast<int>(workers_.size()) < threads - 1) workers_.emplace_back([this] { work(); });
+    hire(threads - 1);
     const int ranges = std::min(n, RANGES_PER_THREAD * threads);
     f_ = f;
     context_ = context;
     n_ = n;
+    error_ = nullptr;
     finished_.store(0, std::memory_order_relaxed);
     ++job_;
     ticket_.store(ticket(job_, ranges, 0), std::memory_order_seq_cst);
@@ -65,6 +69,7 @@ class Pool {
       relax();
       if (look % LOOKS == 0) std::this_thread::yield();
     }
+    if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
   }
 
  private:
@@ -75,6 +80,24 @@ class Pool {
     return job << 2 * BITS | static_cast<std::uint64_t>(ranges) << BITS | static_cast<std::uint64_t>(next);
   }
 
+  /// Where the system has no thread to give, those that there are do the work.
+  void hire(int workers) {
+    try {
+      while (static_cast<int>(workers_.size()) < workers) workers_.emplace_back([this] { work(); });
+    } catch (const std::exception&) {
+    }
+  }
+
+  /// What a range throws reaches the caller, once nobody uses its data any more.
+  void runRange(int begin, int end) {
+    try {
+      f_(context_, begin, end);
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(errors_);
+      if (!error_) error_ = std::current_exception();
+    }
+  }
+
   bool takeRange() {
     std::uint64_t seen = ticket_.load(std::memory_order_acquire);
     for (;;) {
@@ -83,7 +106,7 @@ class Pool {
       if (!ticket_.compare_exchange_weak(seen, seen + 1, std::memory_order_acq_rel, std::memory_order_acquire))
         continue;
       const auto bound = [&](int k) { return static_cast<int>(static_cast<std::int64_t>(n_) * k / ranges); };
-      f_(context_, bound(next), bound(next + 1));
+      runRange(bound(next), bound(next + 1));
       finished_.fetch_add(1, std::memory_order_release);
       return true;
     }
@@ -118,6 +141,8 @@ class Pool {
   std::atomic<std::uint64_t> ticket_{0};
   std::atomic<int> finished_{0}, sleeping_{0};
   std::atomic<bool> stop_{false};
+  std::mutex errors_;
+  std::exception_ptr error_;  // the first of the job
   std::mutex sleep_;
   std::condition_variable wake_;
 };

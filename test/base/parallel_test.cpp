@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <thread>
+#include <vector>
 
 namespace incision {
 namespace {
@@ -33,6 +36,23 @@ TEST(ParallelFor, ServesSeveralCallersAtOnce) {
   std::thread other(work);
   work();
   other.join();
+}
+
+TEST(ParallelFor, ThrowsWhatAnIndexThrowsWhenNobodyIsAtWorkAnyMore) {
+  for (int round = 0; round < 500; ++round) {
+    std::atomic<int> at_work = 0;
+    std::vector<int> calls(300, 0);
+    const auto call = [&](int i) {
+      ++at_work;
+      ++calls[i];
+      --at_work;
+      if (i % 100 == round % 100) throw std::bad_alloc();
+    };
+    EXPECT_THROW(parallelFor(300, 1 + round % 4, call), std::bad_alloc);
+    EXPECT_EQ(at_work, 0);
+    parallelFor(300, 1 + round % 4, [&](int i) { calls[i] = 1; });
+    for (int count : calls) ASSERT_EQ(count, 1);
+  }
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ def main():
     reached = REACHED.search(said)
     if not reached or int(reached[1]) < int(least):
         sys.exit(f'the seeds reach {reached[1] if reached else "no"} edges of the code, which should be {least} at least')
-    said = run(program, f'-max_total_time={seconds}', '-timeout=10', '-rss_limit_mb=2048', '-print_final_stats=1', found,
+    said = run(program, f'-max_total_time={seconds}', '-timeout=30', '-rss_limit_mb=2048', '-print_final_stats=1', found,
                seeds)
     print(f'The seeds reach {reached[1]} edges of the code, with what was found {AT_THE_END.findall(said)[-1]}')
 

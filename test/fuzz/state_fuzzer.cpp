@@ -20,7 +20,7 @@ using namespace incision;
 /// A slab that breaks and is cut, while a blade goes through it and forceps hold it.
 constexpr const char* SCENE = R"(
 body:
-  grid: {cells: [6, 3, 1], size: [0.04, 0.02, 0.003], origin: [0, -0.01, -0.0015]}
+  grid: {cells: [4, 2, 1], size: [0.04, 0.02, 0.003], origin: [0, -0.01, -0.0015]}
   material: {young_modulus: 3.0e4, poisson_ratio: 0.3, density: 1000, mass_damping: 10, stiffness_damping: 2.0e-3}
 gravity: [3, 0, -9.81]
 boundary: [{box: [[0.039999, -1, -1], [1, 1, 1]]}]

@@ -1,5 +1,6 @@
 // What the batch program makes of disks and signals.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 
 #include "incision/run/state_file.h"
 #include "support/batch_folder.h"
+#include "support/sanitized.h"
 
 namespace incision {
 namespace {
@@ -20,8 +22,8 @@ using namespace std::chrono_literals;
 
 class BatchFaults : public BatchFolder {
  protected:
-  /// The program, whose standard output and error go to `end.json` and `err`.
-  pid_t start(std::vector<std::string> arguments) const {
+  /// The program, whose standard output and error go to `end.json` and `err`, with so many bytes of addresses.
+  pid_t start(std::vector<std::string> arguments, rlim_t most_memory = RLIM_INFINITY) const {
     const std::string program = fs::read_symlink("/proc/self/exe").parent_path() / "incision_batch";
     arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
@@ -31,6 +33,8 @@ class BatchFaults : public BatchFolder {
     if (child != 0) return child;
     if (!std::freopen(file("end.json").c_str(), "w", stdout) || !std::freopen(file("err").c_str(), "w", stderr))
       _exit(99);
+    const rlimit limit = {most_memory, most_memory};
+    setrlimit(RLIMIT_AS, &limit);
     execv(argv[0], argv.data());
     _exit(99);
   }
@@ -71,6 +75,34 @@ TEST_F(BatchFaults, ASignalEndsARunWithinAStepWithAllThatWasRecordedWhole) {
     EXPECT_EQ(nlohmann::json::parse(out_.str())["state_hash"], end["state_hash"]);
     fs::remove(file("run.csv"));
   }
+}
+
+/// Under limits from where nothing can be loaded to where all fits: no run waits for memory, or ends otherwise than it
+/// should.
+TEST_F(BatchFaults, WhereMemoryIsShortARunEndsAndSaysSo) {
+  if (test::SANITIZED) GTEST_SKIP() << "shadow memory needs more than any limit";
+  int done = 0, failed = 0;
+  for (const char* method : {"direct", "iterative"})
+    for (rlim_t mebibytes = 60; mebibytes <= 460; mebibytes += 40) {
+      const pid_t child = start({file("bar.yaml"), "--steps", "4", "--threads", "2", "--set",
+                                 "body.grid.cells=[20,8,8]", "--set", std::string("solver.method=") + method},
+                                mebibytes << 20);
+      const auto deadline = std::chrono::steady_clock::now() + 60s;
+      int status = 0;
+      while (waitpid(child, &status, WNOHANG) == 0) {
+        if (std::chrono::steady_clock::now() > deadline) kill(child, SIGKILL);
+        std::this_thread::sleep_for(2ms);
+      }
+      const bool well = WIFEXITED(status) && WEXITSTATUS(status) == static_cast<int>(BatchStatus::DONE);
+      ++(well ? done : failed);
+      if (well || (WIFEXITED(status) && WEXITSTATUS(status) == 127))
+        continue;  // 127: its libraries could not be loaded
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == static_cast<int>(BatchStatus::FAILED))
+          << method << " in " << mebibytes << " MiB: " << status << errors();
+      EXPECT_NE(errors().find("not enough memory for this scene"), std::string::npos) << errors();
+    }
+  EXPECT_GT(done, 2);
+  EXPECT_GT(failed, 4);
 }
 
 TEST_F(BatchFaults, ADiskThatIsFullIsToldOfAndTheRunGoesToItsEnd) {
