@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bag_run.h"
+#include "incision/body/quantities.h"
 
 namespace incision {
 namespace {
@@ -84,8 +85,8 @@ TEST_F(BagRun, EveryCutIsAnswered) {
   EXPECT_NE(err_.str().find("is it wall time"), std::string::npos) << err_.str();
 }
 
+// The first step is taken while the clock stands still before the first message, as with `rosbag play`.
 TEST_F(BagRun, WhatWasSetAnewTakesEffect) {
-  writeCut("cut.bag");
   const auto update = [](const char* name, double value) {
     dynamic_reconfigure::Config config;
     config.doubles.resize(1);
@@ -96,14 +97,20 @@ TEST_F(BagRun, WhatWasSetAnewTakesEffect) {
   {
     rosbag::Bag bag(file("set.bag"), rosbag::bagmode::Write);
     lasting(bag, 0.1);
-    bag.write("/incision/cut_plane", at(0.015), across(0.6, 0.015, "half"));
+    bag.write("/incision/cut_plane", at(0.015), across(9, 0.015, "beside"));
     bag.write("/incision/parameter_updates", at(0), update("gravity_y", 7));
     bag.write("/incision/parameter_updates", at(0.05), update("tolerance", 1));
   }
   const Json line = summaryOf("set.bag");
   EXPECT_NE(err_.str().find("tolerance: '1' (allowed: "), std::string::npos) << err_.str();
-  EXPECT_EQ(line["state_hash"], summaryOf("cut.bag", "plain.yaml", {"--set", "gravity=[0,7,-9.81]"})["state_hash"]);
-  EXPECT_NE(line["state_hash"], hashOf("cut.bag"));
+  const Scene scene = loadScene(file("plain.yaml"));
+  DeformableBody body(scene, loadMesh(scene));
+  body.step();
+  LiveSettings settings = body.live();
+  settings.gravity.y() = 7;
+  body.set(settings);
+  while (body.steps() < line["steps"].get<int>()) body.step();
+  EXPECT_EQ(line["state_hash"], hexadecimal(body.stateHash()));
 }
 
 TEST_F(BagRun, FramesToolsJawsAndSwitchesAreFollowed) {
