@@ -39,6 +39,7 @@ class Checkpoints(unittest.TestCase):
 
     def setUp(self):
         self.client.reset()
+        self.far_cuts = 0  # that wait for their stamp for long
 
     def tick(self):
         self.clock_publisher.publish(Clock(time_of(self.ticks)))
@@ -53,16 +54,20 @@ class Checkpoints(unittest.TestCase):
 
     def run_steps(self, first, last, cuts=()):
         """Takes the steps from `first` to `last`, with what is commanded in them: the hash after each."""
-        start = self.ticks + 1
+        start, sent = self.ticks + 1, 0
+        for k in range(first, last):
+            if k % 3 == 0:
+                self.send_hand(k, time_of(start + k - first))
         for k in range(first, last):
             stamp = time_of(start + k - first)
+            sent += 1 + (k % 2 == 0) + (k in cuts)
             if k % 2 == 0:  # led there over two steps
                 self.scalpel.move_tool(stamped(tool_pose((0.03, -0.015 + 0.001 * k, 0.01)), stamp))
             self.hook.move_tool(stamped(tool_pose((0.05, 0.015 - 0.001 * k, 0.01)), stamp))
-            if k % 3 == 0:
-                self.send_hand(k, stamp)
             if k in cuts:
                 self.client.send(cut_plane(stamp=stamp, label=f'at {k}', point=(0.015 if k < SAVED else 0.065, 0, 0)))
+        waiting = sent + self.far_cuts
+        self.client.wait_for(lambda: self.client.state.waiting_for_step == waiting, 'the commands to be known')
         hashes = []
         for k in range(first, last):
             type(self).ticks += 1
@@ -100,10 +105,10 @@ class Checkpoints(unittest.TestCase):
         seen = len(self.client.reports)
         far = time_of(self.ticks + 1000)
         self.client.send(cut_plane(stamp=far, label='far', point=(0.015, 0, 0)))
-        self.run_steps(2, 4, cuts=[3])  # by when the other has come too
-        self.client.wait_for(lambda: self.client.reports[seen:], 'the report of the one that is due')
+        self.far_cuts = 1
+        self.run_steps(2, 4)
         self.call(self.restore, 'early')
-        report = self.client.wait_for(lambda: self.client.reports[seen + 1:], 'the report')[0]
+        report = self.client.wait_for(lambda: self.client.reports[seen:], 'the report')[0]
         self.assertEqual(('far', report.REJECTED), (report.label, report.status))
         self.assertIn('restored', report.reason)
 

@@ -11,8 +11,8 @@ void runRanges(int n, int threads, void (*run)(const void* context, int begin, i
 
 /// Calls f(i) for i = 0 … n − 1 on up to `threads` threads. Every index is computed alone, so results do not depend on
 /// how many threads there are. The caller works too and never waits for a thread that has not begun: where other
-/// programs keep the processors busy this is no slower than one thread. f must not call parallelFor. Of what f throws one
-/// exception is thrown on, after all other indices or the rest of their ranges.
+/// programs keep the processors busy this is no slower than one thread. f must not call parallelFor. Of what f throws
+/// one exception is thrown on, after all other indices or the rest of their ranges.
 template <typename Function>
 void parallelFor(int n, int threads, const Function& f) {
   detail::runRanges(

@@ -1,0 +1,161 @@
+#!/usr/bin/python3
+"""Random cuts, strokes, grasps, checkpoints and resets, with garbage between them, for as long as is asked for: memory
+stays flat, energy bounded, and the same commands give the same states once more."""
+
+import math
+import random
+import sys
+import time
+import unittest
+import xmlrpc.client
+
+import rosnode
+import rospy
+import rostest
+from geometry_msgs.msg import PoseStamped
+from incision.srv import Checkpoint
+from incision_client import TIMEOUT, Client, cut_plane, tool_pose
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import JointState
+
+STEPS_A_SECOND = 100
+MOST_ENERGY = 1.0  # [J] kinetic and elastic: the body's weight falls through some 6e-3
+NAMES = ('a', 'b', 'c')
+
+
+def time_of(tick):
+    return rospy.Time(tick // STEPS_A_SECOND, tick % STEPS_A_SECOND * (1_000_000_000 // STEPS_A_SECOND))
+
+
+def memory_of(pid):
+    """[MiB] that the process has in memory."""
+    with open(f'/proc/{pid}/status', encoding='ascii') as status:
+        return next(int(line.split()[1]) / 1024 for line in status if line.startswith('VmRSS'))
+
+
+def pid_of(name):
+    return xmlrpc.client.ServerProxy(rosnode.get_api_uri(rospy.get_master(), name)).getPid('/soak')[2]
+
+
+class Soak(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.clock_publisher = rospy.Publisher('/clock', Clock, queue_size=1000)
+        cls.scalpel, cls.forceps = Client(tool='scalpel'), Client(tool='forceps')
+        cls.client = cls.scalpel
+        cls.services = {}
+        for service in ('save', 'restore'):
+            rospy.wait_for_service(f'/incision/{service}', TIMEOUT)
+            cls.services[service] = rospy.ServiceProxy(f'/incision/{service}', Checkpoint)
+        cls.ticks = 100_000
+        cls.pid = pid_of('/incision')
+
+    def stamp(self, step):
+        """Of a step of the action that comes."""
+        return time_of(self.ticks + 1 + step)
+
+    def take_steps(self, count, sent=0):
+        """When as many commands are known as were `sent`."""
+        self.client.wait_for(lambda: self.client.state.waiting_for_step == sent, 'the commands to be known')
+        last = self.client.state.step + count
+        for _ in range(count):
+            type(self).ticks += 1
+            self.clock_publisher.publish(Clock(time_of(self.ticks)))
+        self.client.wait_for(lambda: self.client.state.step == last, f'step {last}')
+
+    def cut(self, draw):
+        normal = [draw.uniform(-1, 1) for _ in range(3)]
+        self.client.send(cut_plane(stamp=self.stamp(0), label='random', normal=normal,
+                                   point=(draw.uniform(0, 0.08), draw.uniform(-0.015, 0.015), draw.uniform(0, 0.02)),
+                                   tangent=(normal[1], -normal[0], 0), length=draw.choice((0, 0.02)), width=0))
+        self.take_steps(5, 1)
+
+    def stroke(self, draw):
+        x, y, angle = draw.uniform(0.01, 0.07), draw.choice((-0.03, 0.03)), draw.uniform(-1, 1)
+        for k in range(30):
+            pose = tool_pose((x + 0.0005 * k * math.sin(angle), y - 2 * y * k / 30, 0.01))
+            pose.header.stamp = self.stamp(k)
+            self.scalpel.move_tool(pose)
+        self.take_steps(32, 30)
+
+    def grasp(self, draw):
+        y = draw.uniform(-0.01, 0.01)
+        for k in range(40):
+            pose = tool_pose((-0.012 - 0.0003 * max(0, k - 15), y, 0.01 + 0.0002 * max(0, k - 15)))
+            pose.header.stamp = self.stamp(k)
+            self.forceps.move_tool(pose)
+            self.forceps.send_jaw(jaw_at(0.5 - 0.04 * min(k, 12) if k < 35 else 0.5, self.stamp(k)))
+        self.take_steps(42, 80)
+
+    def rest(self, draw):
+        self.take_steps(draw.randint(1, 30))
+
+    def save(self, draw):
+        self.saved.add(name := draw.choice(NAMES))
+        self.assertTrue(self.services['save'](name).success)
+
+    def restore(self, draw):
+        name = draw.choice(NAMES)
+        if name in self.saved:  # and not left by the run before
+            self.assertTrue(self.services['restore'](name).success)
+            self.client.next_state()
+
+    def reset(self, draw):
+        del draw
+        self.client.reset()
+
+    def garbage(self, draw):
+        """None of which changes anything."""
+        nan = draw.choice((math.nan, math.inf, 1e300))
+        self.client.send(cut_plane(stamp=self.stamp(0), label='x' * draw.randint(0, 300), point=(nan, 0, 0)))
+        self.client.send(cut_plane(stamp=self.stamp(0), normal=(0, 0, 0)))
+        self.client.send(cut_plane(stamp=self.stamp(0), frame='nowhere/at all'))
+        self.scalpel.move_tool(PoseStamped())
+        pose = tool_pose((nan, 0, 0), orientation=(nan, 0, 0, 1))
+        pose.header.stamp = self.stamp(1)
+        self.scalpel.move_tool(pose)
+        self.forceps.send_jaw(JointState(position=[nan]))
+        self.forceps.send_jaw(JointState(position=[0.1] * draw.choice((0, 2, 50))))
+        self.take_steps(2)
+
+    def run_actions(self, seed, until):
+        """Does random things until `until(count)`: the hash after each."""
+        draw = random.Random(seed)
+        self.client.reset()
+        self.saved, hashes = set(), []
+        while not until(len(hashes)):
+            action = draw.choice((self.cut, self.stroke, self.stroke, self.grasp, self.grasp, self.rest, self.save,
+                                  self.restore, self.restore, self.garbage, self.garbage)
+                                 if draw.random() > 0.02 else (self.reset,))
+            action(draw)
+            state = self.client.state
+            self.assertEqual('', state.error)
+            self.assertLess(state.kinetic_energy + state.elastic_energy, MOST_ENERGY, f'after {len(hashes)} actions')
+            hashes.append((action.__name__, state.step, state.state_hash))
+            for client in (self.scalpel, self.forceps):
+                for kept in (client.states, client.reports, client.wrenches, client.jaws):
+                    del kept[:-5]
+        return hashes
+
+    def test_hours_of_work_leave_nothing_behind(self):
+        half = rospy.get_param('~minutes') * 60 / 2
+        self.run_actions(0, lambda count: count == 40)  # what is needed once
+        before, deadline = memory_of(self.pid), time.monotonic() + half
+        first = self.run_actions(1, lambda count: count >= 20 and time.monotonic() > deadline)
+        second = self.run_actions(1, lambda count: count == len(first))
+        for count, (one, other) in enumerate(zip(first, second)):
+            self.assertEqual(one, other, f'after {count} actions')
+        grown = memory_of(self.pid) - before
+        rospy.loginfo('%d actions twice, memory %.1f MiB and %.1f more', len(first), before, grown)
+        self.assertLess(grown, 30)
+
+
+def jaw_at(angle, stamp):
+    message = JointState(position=[angle])
+    message.header.stamp = stamp
+    return message
+
+
+if __name__ == '__main__':
+    rospy.init_node('soak_test', disable_rostime=True)
+    rostest.rosrun('incision', 'soak', Soak, sys.argv)
