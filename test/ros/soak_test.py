@@ -9,7 +9,6 @@ import time
 import unittest
 import xmlrpc.client
 
-import rosnode
 import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
@@ -34,7 +33,7 @@ def memory_of(pid):
 
 
 def pid_of(name):
-    return xmlrpc.client.ServerProxy(rosnode.get_api_uri(rospy.get_master(), name)).getPid('/soak')[2]
+    return xmlrpc.client.ServerProxy(rospy.get_master().lookupNode(name)[2]).getPid('/soak')[2]
 
 
 class Soak(unittest.TestCase):
