@@ -83,9 +83,9 @@ TEST_P(ExtremeNumbers, FailAStepOrLeaveEverythingFinite) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ExtremeNumbers,
                          ::testing::Combine(::testing::Range(0, static_cast<int>(std::size(EXTREMES))),
                                             ::testing::Values(Method::DIRECT, Method::ITERATIVE)),
-                         [](const auto& info) {
-                           return std::string(EXTREMES[std::get<0>(info.param)].name) +
-                                  (std::get<1>(info.param) == Method::DIRECT ? "Direct" : "Iterative");
+                         [](const auto& instance) {
+                           return std::string(EXTREMES[std::get<0>(instance.param)].name) +
+                                  (std::get<1>(instance.param) == Method::DIRECT ? "Direct" : "Iterative");
                          });
 
 }  // namespace
