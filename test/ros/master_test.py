@@ -62,7 +62,7 @@ class Master(unittest.TestCase):
         proxy.setParam('/test', '/lone/scene', {'body': {'grid': {'cells': [2, 1, 1]}}})
         node = subprocess.Popen([NODE, '__name:=lone'], env=dict(os.environ, ROS_MASTER_URI=f'http://127.0.0.1:{port}/'))
         self.addCleanup(node.kill)
-        wait_for(lambda: proxy.lookupNode('/test', '/lone')[0] == 1, 'the node')
+        wait_for(lambda: '/lone/state' in dict(proxy.getSystemState('/test')[2][0]), 'the node')
         uri = proxy.lookupNode('/test', '/lone')[2]
         states = listen(uri, '/lone/state')
         next(states)  # the header of the connection
