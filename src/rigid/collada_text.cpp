@@ -81,7 +81,8 @@ void checkCounts(const Tag& tag, std::size_t length) {
   checkedCount("offset", attribute(tag, "offset"), MAX_STRIDE);
 }
 
-/// Likewise for the corners of polygons, which the text from `at` on counts.
+/// Refuses a list of polygons' counts of corners, which begins at `at`, that promises more of them than the text can
+/// hold.
 void checkCorners(const std::string& text, std::size_t at) {
   std::istringstream counts(text.substr(at, text.find('<', at) - at));
   std::size_t corners = 0;

@@ -159,6 +159,13 @@ BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& ou
   return runProgram(BATCH, arguments, out, err);
 }
 
-void stopBatch() { stop_asked = 1; }
+void stopAtSignals() {
+  const auto stop = [](int signal) {
+    stop_asked = 1;
+    std::signal(signal, SIG_DFL);
+  };
+  std::signal(SIGINT, stop);
+  std::signal(SIGTERM, stop);
+}
 
 }  // namespace incision

@@ -155,17 +155,19 @@ SavedState savedState(const DeformableBody& body) {
 }
 
 std::string packed(const SavedState& state, const SceneKey& key, int threads) {
-  const std::string all = state.body + state.leads;
-  if (all.size() > mostBytes(key))
-    throw std::length_error("the body takes " + std::to_string(all.size()) + " bytes (allowed: up to " +
+  const std::size_t size = state.body.size() + state.leads.size();
+  if (size > mostBytes(key))
+    throw std::length_error("the body takes " + std::to_string(size) + " bytes (allowed: up to " +
                             std::to_string(mostBytes(key)) + " for this mesh)");
-  const auto count = static_cast<int>((all.size() + SECTION - 1) / SECTION);
+  std::vector<std::string_view> pieces;
+  for (const std::string_view text : {std::string_view(state.body), std::string_view(state.leads)})
+    for (std::size_t at = 0; at < text.size(); at += SECTION) pieces.push_back(text.substr(at, SECTION));
+  const auto count = static_cast<int>(pieces.size());
   std::vector<std::string> sections(count);
   StateHeader header{INCISION_VERSION, key, state.body.size(), std::vector<StateSection>(count)};
   parallelFor(count, threads, [&](int i) {
-    const std::string_view bytes = std::string_view(all).substr(i * SECTION, SECTION);
-    sections[i] = packedSection(bytes);
-    header.sections[i] = {static_cast<std::uint32_t>(bytes.size()), static_cast<std::uint32_t>(sections[i].size()),
+    sections[i] = packedSection(pieces[i]);
+    header.sections[i] = {static_cast<std::uint32_t>(pieces[i].size()), static_cast<std::uint32_t>(sections[i].size()),
                           XXH3_64bits(sections[i].data(), sections[i].size())};
   });
   std::ostringstream stream;

@@ -45,9 +45,6 @@ StateFile::StateFile(const std::string& path) : path_(path) {
   if (file_ < 0) throw InputError(printable(path) + ": cannot be written: " + std::strerror(errno));
 }
 
-StateFile::StateFile(StateFile&& other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
-
 StateFile::~StateFile() {
   if (file_ < 0) return;
   close(file_);

@@ -51,8 +51,8 @@ BatchOptions parseBatchArguments(const std::vector<std::string>& arguments);
 std::string helpOf(const BatchProgram& program);
 
 /// Runs a scene without ROS and ends with one line of JSON on `out`; every error is one line on `err`. The run stops
-/// early, outputs included, once stopBatch has been called. Returns FAILED when a step failed or an output could not be
-/// written; what was reached is written all the same.
+/// early, outputs included, after a signal, see stopAtSignals. Returns FAILED when a step failed or an output could not
+/// be written; what was reached is written all the same.
 BatchStatus runProgram(const BatchProgram& program, const std::vector<std::string>& arguments, std::ostream& out,
                        std::ostream& err);
 BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
@@ -60,7 +60,7 @@ BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& ou
 /// What a program says of a cut that was not made, at this simulated time [s].
 std::string remarkOn(const CutResult& cut, double time);
 
-/// Ends the run under way after its current step. May be called by a signal handler.
-void stopBatch();
+/// From now on SIGINT and SIGTERM end the run under way after its current step. A second one does not wait for that.
+void stopAtSignals();
 
 }  // namespace incision

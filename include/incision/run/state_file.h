@@ -14,7 +14,6 @@ class StateFile {
   explicit StateFile(const std::string& path);
   /// Removes PATH.tmp where nothing was saved.
   ~StateFile();
-  StateFile(StateFile&& other) noexcept;
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
