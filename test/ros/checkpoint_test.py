@@ -7,23 +7,11 @@ import unittest
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
-from incision.srv import Checkpoint
-from incision_client import TIMEOUT, Client, cut_plane, tool_pose
+from incision_client import Client, checkpoint_service, cut_plane, time_of, tool_pose
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-STEPS_A_SECOND = 100
 SAVED, END = 12, 30  # [steps]
-
-
-def time_of(tick):
-    """Exactly: a time that is made from a double is rounded down."""
-    return rospy.Time(tick // STEPS_A_SECOND, tick % STEPS_A_SECOND * (1_000_000_000 // STEPS_A_SECOND))
-
-
-def calling(name):
-    rospy.wait_for_service(name, TIMEOUT)
-    return rospy.ServiceProxy(name, Checkpoint)
 
 
 class Checkpoints(unittest.TestCase):
@@ -35,7 +23,7 @@ class Checkpoints(unittest.TestCase):
         cls.scalpel, cls.hook = Client(tool='scalpel'), Client(tool='hook')
         cls.client = cls.scalpel
         cls.client.wait_for(cls.tf.get_num_connections, 'the node to listen to tf')
-        cls.save, cls.restore = calling('/incision/save'), calling('/incision/restore')
+        cls.save, cls.restore = checkpoint_service('save'), checkpoint_service('restore')
 
     def setUp(self):
         self.client.reset()

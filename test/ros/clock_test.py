@@ -7,16 +7,11 @@ import unittest
 
 import rospy
 import rostest
-from incision_client import Client, cut_plane, tool_pose
+from incision_client import STEPS_A_SECOND, Client, cut_plane, time_of, tool_pose
 from rosgraph_msgs.msg import Clock
 
-STEPS_A_SECOND = 100
 STEPS = 12
 LAST = (1 << 32) * STEPS_A_SECOND - 1000  # ticks that ROS can say, and some less
-
-
-def time_of(tick):
-    return rospy.Time(tick // STEPS_A_SECOND, tick % STEPS_A_SECOND * (1_000_000_000 // STEPS_A_SECOND))
 
 
 class ClockJumps(unittest.TestCase):

@@ -8,11 +8,26 @@ import time
 import rospy
 from geometry_msgs.msg import Point, PoseStamped, Quaternion, Vector3, WrenchStamped
 from incision.msg import BodyState, CutPlane, CutReport
+from incision.srv import Checkpoint
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool
 from std_srvs.srv import SetBool, Trigger
 
 TIMEOUT = 40.0  # [s] wall time; far above what anything here takes, on a busy machine too
+
+
+STEPS_A_SECOND = 100  # of the scenes whose clock a test leads step by step
+
+
+def time_of(tick):
+    """Exactly: a time that is made from a double is rounded down."""
+    return rospy.Time(tick // STEPS_A_SECOND, tick % STEPS_A_SECOND * (1_000_000_000 // STEPS_A_SECOND))
+
+
+def checkpoint_service(name):
+    """`save` or `restore` of /incision, when it is there."""
+    rospy.wait_for_service(f'/incision/{name}', TIMEOUT)
+    return rospy.ServiceProxy(f'/incision/{name}', Checkpoint)
 
 
 class Client:

@@ -11,8 +11,7 @@ from dynamic_reconfigure import client as reconfigure
 from dynamic_reconfigure.encoding import decode_config
 from dynamic_reconfigure.msg import Config, DoubleParameter
 from dynamic_reconfigure.srv import Reconfigure
-from incision.srv import Checkpoint
-from incision_client import TIMEOUT, Client, wait_for
+from incision_client import TIMEOUT, Client, checkpoint_service, wait_for
 from visualization_msgs.msg import MarkerArray
 
 AT_START = {'marker_rate': 0.0, 'marker_field': 'none', 'tolerance': 1e-6, 'gravity_x': 0.0, 'gravity_y': 0.0,
@@ -88,7 +87,7 @@ class ReconfigureTest(unittest.TestCase):
         self.expect(gravity_x=2.5)
 
     def test_a_restored_body_goes_on_with_what_held_when_it_was_saved(self):
-        save, restore = (rospy.ServiceProxy('/incision/' + name, Checkpoint) for name in ('save', 'restore'))
+        save, restore = (checkpoint_service(name) for name in ('save', 'restore'))
         self.server.update_configuration({'gravity_y': 3.0})
         self.hash_after(2)
         self.assertTrue(save('reconfigured').success)

@@ -6,15 +6,13 @@ import unittest
 
 import rospy
 import rostest
-from incision.srv import Checkpoint
-from incision_client import TIMEOUT, Client
+from incision_client import Client, checkpoint_service
 
 
 class SlowSteps(unittest.TestCase):
     def test_services_are_answered_within_two_steps(self):
         client = Client()
-        rospy.wait_for_service('/incision/save', TIMEOUT)
-        save = rospy.ServiceProxy('/incision/save', Checkpoint, persistent=True)
+        save = checkpoint_service('save')
         save('first')
         for _ in range(30):
             before = client.next_state()

@@ -12,19 +12,13 @@ import xmlrpc.client
 import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
-from incision.srv import Checkpoint
-from incision_client import TIMEOUT, Client, cut_plane, tool_pose
+from incision_client import Client, checkpoint_service, cut_plane, time_of, tool_pose
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import JointState
 
-STEPS_A_SECOND = 100
 MOST_ENERGY = 1.0  # [J] kinetic and elastic: the body's weight falls through some 6e-3
 MOST_GROWTH = 5  # [MiB] of the node's memory, in as much work as had been done before: what the heap leaves between
 NAMES = ('a', 'b', 'c')
-
-
-def time_of(tick):
-    return rospy.Time(tick // STEPS_A_SECOND, tick % STEPS_A_SECOND * (1_000_000_000 // STEPS_A_SECOND))
 
 
 def memory_of(pid):
@@ -43,10 +37,7 @@ class Soak(unittest.TestCase):
         cls.clock_publisher = rospy.Publisher('/clock', Clock, queue_size=1000)
         cls.scalpel, cls.forceps = Client(tool='scalpel'), Client(tool='forceps')
         cls.client = cls.scalpel
-        cls.services = {}
-        for service in ('save', 'restore'):
-            rospy.wait_for_service(f'/incision/{service}', TIMEOUT)
-            cls.services[service] = rospy.ServiceProxy(f'/incision/{service}', Checkpoint)
+        cls.services = {name: checkpoint_service(name) for name in ('save', 'restore')}
         cls.ticks = 100_000
         cls.pid = pid_of('/incision')
 
