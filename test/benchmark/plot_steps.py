@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plots what step_benchmark wrote, milliseconds a step against elements, and prints it as the tables of README.md.
+"""Plots what step_benchmark wrote, milliseconds a step against elements, and prints it as the tables of README.md beside it.
 
 usage: plot_steps.py STEPS.json PLOT.png
 """

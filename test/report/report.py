@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes FOLDER/report.md and FOLDER/plots/ from what was measured, FOLDER/data/SECTION.json.
+"""Writes FOLDER/README.md and FOLDER/plots/ from what was measured, FOLDER/data/SECTION.json.
 
 usage: report.py FOLDER SECTION...
 
@@ -30,8 +30,8 @@ def rendered(folder, name):
 def main(folder, names):
     sections = [rendered(folder, name) for name in names if (folder / 'data' / f'{name}.json').is_file()]
     head = (HERE / 'head.md').read_text(encoding='utf-8')
-    (folder / 'report.md').write_text('\n'.join([head, *sections]), encoding='utf-8')
-    print(f'Wrote {folder / "report.md"}')
+    (folder / 'README.md').write_text('\n'.join([head, *sections]), encoding='utf-8')
+    print(f'Wrote {folder / "README.md"}')
 
 
 if __name__ == '__main__':

@@ -8,7 +8,7 @@ SECTIONS=(static calculix locking dynamic stability tool cost)
 usage() {
   echo "usage: test/report/run.sh [--quick | --publish] [SECTION...]"
   echo "  --quick    under five minutes, on smaller meshes; writes to build/report/quick/ instead of build/report/"
-  echo "  --publish  also replaces test/report/report.md and its plots, if all sections were measured"
+  echo "  --publish  also replaces test/report/README.md and its plots, if all sections were measured"
   echo "  SECTION    of ${SECTIONS[*]}; all unless some are named. The others keep what they measured last."
 }
 
@@ -46,7 +46,7 @@ if [[ $publish ]]; then
   for section in "${SECTIONS[@]}"; do
     [[ -f $INCISION_REPORT/data/$section.json ]] || fail "$section was never measured, so nothing is published"
   done
-  cp "$INCISION_REPORT/report.md" .
+  cp "$INCISION_REPORT/README.md" .
   cp "$INCISION_REPORT"/plots/*.png plots/
 fi
 ((status == 0)) || echo "test/report/run.sh: some claims do not hold, see above" >&2

@@ -132,7 +132,7 @@ class ReplayBag(unittest.TestCase):
         self.assertEqual(len(expected), len(set(expected.values())))  # or equal hashes would say little
 
     def test_the_pages_script_puts_a_recorded_bag_in_order(self):
-        with open(os.path.join(PACKAGE, 'README.md'), encoding='utf-8') as page:
+        with open(os.path.join(PACKAGE, 'msg', 'README.md'), encoding='utf-8') as page:
             script = re.search(r'```python\n(import rosbag\n.*?)```', page.read(), re.DOTALL).group(1)
         delays = random.Random(1)
         write_bag(os.path.join(self.folder.name, 'commands.bag'),

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The demo of two arms: what the README says of it."""
+"""The demo of two arms: what its page says of it."""
 
 import math
 import sys

@@ -1,4 +1,4 @@
-// The README's table of scene keys, held against the parsers.
+// The table of scene keys in config/README.md, held against the parsers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Row {
 };
 
 std::vector<Row> rows() {
-  std::ifstream readme(FOLDER + "/README.md");
+  std::ifstream readme(FOLDER + "/config/README.md");
   std::vector<Row> rows;
   bool inside = false;
   const std::regex cells(R"(\| `([^|]*)` \| ([^|]*) \|[^|]*\|[^|]*\| (.*) \|)");
