@@ -14,6 +14,7 @@
 # - test/body/instruction_count.py: instructions a step, where valgrind is installed.
 # - test/ros/*.test: rostest.
 # - test/install/: a program against the installed package.
+# - test/pages/: the pages of documentation.
 # - the sources: what includes what, their format, catkin_lint.
 if(INCISION_ROS AND NOT CATKIN_ENABLE_TESTING)
   return()
@@ -95,6 +96,16 @@ if(INCISION_ROS AND NOT INCISION_SANITIZE)
   set_tests_properties(quick.install PROPERTIES LABELS quick TIMEOUT 300)
 endif()
 
+# The pages of documentation: their links, and the command lines in them.
+if(INCISION_ROS AND NOT INCISION_SANITIZE)
+  foreach(class IN ITEMS Coverage WithoutRos InTheNode OwnOrgan Checkpoints)
+    add_test(NAME quick.pages.${class} COMMAND "${PROJECT_SOURCE_DIR}/test/pages/commands_test.py" "${CMAKE_BINARY_DIR}" ${class})
+    set_tests_properties(quick.pages.${class} PROPERTIES LABELS quick TIMEOUT 300)
+  endforeach()
+  add_test(NAME full.pages.commands COMMAND "${PROJECT_SOURCE_DIR}/test/pages/commands_full_test.py" "${CMAKE_BINARY_DIR}")
+  set_tests_properties(full.pages.commands PROPERTIES LABELS full TIMEOUT 3600)
+endif()
+
 # Instruction counts hold for the compiler and the flags they were counted with.
 find_program(VALGRIND valgrind)
 if(VALGRIND AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
@@ -122,6 +133,7 @@ if(INCISION_ROS)
   find_program(CATKIN_LINT catkin_lint)
   file(GLOB_RECURSE formatted CONFIGURE_DEPENDS include/*.h src/*.h src/*.cpp test/*.h test/*.cpp)
   incision_source_check(shape PYTHON_EXECUTABLE test/check_sources.py)
+  incision_source_check(pages PYTHON_EXECUTABLE test/pages/pages_test.py)
   incision_source_check(format CLANG_FORMAT --dry-run -Werror ${formatted})
   incision_source_check(catkin_lint CATKIN_LINT -W1 --strict --ignore package_path_name .)
 endif()
