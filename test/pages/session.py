@@ -44,9 +44,10 @@ class Session:
         self._setup = f'source {prefix}/setup.bash && export CMAKE_PREFIX_PATH={stand_in}:$CMAKE_PREFIX_PATH ' \
                       f'ROS_PACKAGE_PATH={stand_in}/share:$ROS_PACKAGE_PATH ' \
                       f'PATH={stand_in}/lib/rviz:{prefix}/lib/incision:$PATH && '
+        self.port = free_port()
         self._environment = {'HOME': str(self.folder), 'PATH': '/usr/bin:/bin:/usr/sbin:/sbin', 'ROS_IP': '127.0.0.1',
                              'ROS_HOME': str(self.folder.parent / 'ros'), 'LANG': 'C.UTF-8', 'ROSCONSOLE_STDOUT_LINE_BUFFERED': '1',
-                             'ROS_MASTER_URI': f'http://127.0.0.1:{free_port()}'}
+                             'ROS_MASTER_URI': f'http://127.0.0.1:{self.port}'}
         for name in ('OPENBLAS_CORETYPE', 'OPENBLAS_L2_SIZE'):
             if name in os.environ:
                 self._environment[name] = os.environ[name]
