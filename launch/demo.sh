@@ -23,8 +23,8 @@ picture=
 build_only=
 while (($#)); do
   case $1 in
-    --scalpel) launch=scalpel.launch without_rviz=rviz:=false through="the path is through" ;;
-    --two-arms) launch=two_arms.launch without_rviz=rviz:=false through="the path is through" ;;
+    --scalpel) launch=scalpel.launch without_rviz=rviz:=false through="is through; the tool stays" ;;
+    --two-arms) launch=two_arms.launch without_rviz=rviz:=false through="is through; the tool stays" ;;
     --headless) headless=1 ;;
     --picture) (($# > 1)) || { usage >&2 && exit 2; } && picture=$(realpath -m "$2") && shift ;;
     --build-only) build_only=1 ;;
