@@ -124,6 +124,15 @@ TEST_F(Batch, SaysAtTheStartWhatTheBodyIs) {
       << err_.str();
 }
 
+TEST_F(Batch, SaysAfterTenStepsWhatPaceToExpect) {
+  const std::string pace = "incision_batch: a step of 10 ms takes ";
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "9"}), BatchStatus::DONE) << err_.str();
+  EXPECT_EQ(err_.str().find(pace), std::string::npos) << err_.str();
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "30"}), BatchStatus::DONE) << err_.str();
+  EXPECT_NE(err_.str().find(pace), std::string::npos) << err_.str();
+  EXPECT_EQ(err_.str().find(pace), err_.str().rfind(pace)) << err_.str();
+}
+
 TEST_F(Batch, SaysWhatOfTheMeshWasMendedAndLeavesStraysOutOfTheBounds) {
   std::ofstream(file("a.msh")) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1000 0 0\n3 0 1000 0\n"
                                   "4 0 0 1000\n5 9 9 -9\n$EndNodes\n$Elements\n2\n1 4 2 1 1 1 2 4 3\n"
