@@ -31,8 +31,13 @@ std::string Slowness::inWords(double passed, int threads, int machine_threads) c
         << 1e3 * time_step_ << " ms takes " << 1e3 * step << " ms";
   const std::vector<PhaseShare> shares = sharesOf(tally_);
   if (!shares.empty()) words << " (" << describe(shares) << ")";
-  if (step < time_step_) {
+  const double longest = 1e-3 * tally_.longest_ms;
+  if (longest <= time_step_) {
     words << ", and between steps something else takes the processor";
+    return words.str();
+  }
+  if (step <= time_step_) {
+    words << " on average, the longest " << 1e3 * longest << " ms, and what one loses no other makes up for";
     return words.str();
   }
   words << "; a coarser mesh or a longer solver.time_step would help";

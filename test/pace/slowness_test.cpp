@@ -59,6 +59,18 @@ TEST_F(SlownessTest, OfTimeBetweenStepsSaysSo) {
   EXPECT_FALSE(has(said, "coarser")) << said;
 }
 
+TEST_F(SlownessTest, OfAFewLongStepsSaysSo) {
+  EXPECT_EQ("", pass(2, 2, 1000));
+  const std::string said = pass(3, 300, 5);
+  EXPECT_TRUE(has(said, "at 0.604 of it: a step of 10 ms takes 11.6 ms")) << said;
+  EXPECT_EQ("", pass(0.95, 1, 950));
+  EXPECT_EQ("", pass(4.05, 405, 5));
+  EXPECT_EQ(pass(5, 500, 5), "");
+  EXPECT_EQ("", pass(0.8, 1, 800));
+  const std::string few = pass(4.2, 420, 5);
+  EXPECT_TRUE(has(few, "takes 6.89 ms (solve 100 %) on average, the longest 800 ms")) << few;
+}
+
 TEST_F(SlownessTest, OfContactNamesWhatPiecesNeedNot) { EXPECT_TRUE(has(pass(5, 200, 5, 20), "contact.self: false")); }
 
 TEST_F(SlownessTest, APauseIsNoTime) {
