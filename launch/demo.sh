@@ -90,10 +90,11 @@ take_picture() {
   fail "rviz has drawn nothing, so there is no picture"
 }
 
-# Waits until roslaunch says that this node has ended, well or not. Were the node one that the launch requires,
-# roslaunch would call its end a death, in red.
+# Waits until roslaunch says that this node has ended, well or not, or that another has died. Were the node one that the
+# launch requires, roslaunch would call its end a death, in red.
 await_node() {
-  while kill -0 "$roslaunch" 2>/dev/null && ! grep -q "\[$1-[0-9]*\] process has" "$run/log"; do
+  while kill -0 "$roslaunch" 2>/dev/null &&
+    ! grep -q -e "\[$1-[0-9]*\] process has" -e "process has died" "$run/log"; do
     sleep 0.3
   done
 }
