@@ -14,17 +14,19 @@ usage() {
   echo "  --build-only        install and build, run nothing"
 }
 
-# What to launch, its argument for no display, and what it prints when there is nothing more to see.
+# What to launch, its arguments for no display, what it prints when there is nothing more to see, and the node, if any,
+# with which it ends where there is no display.
 launch=demo.launch
-without_rviz=headless:=true
+without_rviz=(headless:=true end:=false)
 through="Summary of the demo"
+last_node=demo
 headless=
 picture=
 build_only=
 while (($#)); do
   case $1 in
-    --scalpel) launch=scalpel.launch without_rviz=rviz:=false through="the path is through" ;;
-    --two-arms) launch=two_arms.launch without_rviz=rviz:=false through="the path is through" ;;
+    --scalpel) launch=scalpel.launch without_rviz=(rviz:=false) through="is through; the tool stays" last_node= ;;
+    --two-arms) launch=two_arms.launch without_rviz=(rviz:=false) through="is through; the tool stays" last_node= ;;
     --headless) headless=1 ;;
     --picture) (($# > 1)) || { usage >&2 && exit 2; } && picture=$(realpath -m "$2") && shift ;;
     --build-only) build_only=1 ;;
@@ -88,13 +90,22 @@ take_picture() {
   fail "rviz has drawn nothing, so there is no picture"
 }
 
+# Waits until roslaunch says that this node has ended, well or not, or that another has died. Were the node one that the
+# launch requires, roslaunch would call its end a death, in red.
+await_node() {
+  while kill -0 "$roslaunch" 2>/dev/null &&
+    ! grep -q -e "\[$1-[0-9]*\] process has" -e "process has died" "$run/log"; do
+    sleep 0.3
+  done
+}
+
 enter_ros
 export ROSCONSOLE_STDOUT_LINE_BUFFERED=1  # or what nodes say comes only at their end
 arguments=()
 if [[ $picture ]]; then
   start_display
 elif [[ $headless ]]; then
-  arguments=("$without_rviz")
+  arguments=("${without_rviz[@]}")
 fi
 
 touch "$run/log"
@@ -104,6 +115,9 @@ pids+=("$roslaunch")
 if [[ $picture ]]; then
   take_picture
   kill "$roslaunch"
+elif [[ $headless && $last_node ]]; then
+  await_node "$last_node"
+  kill "$roslaunch" 2>/dev/null || true
 fi
 
 status=0

@@ -112,6 +112,8 @@ class Body:
         action()
         self.wait_for(lambda: self.reports[seen:], REPORT_TIMEOUT)
         report = next(iter(self.reports[seen:]), None)
+        if rospy.is_shutdown():
+            return
         if report is None:
             rospy.logerr('%5.2f s: nothing was cut', self.state.time)
         elif report.status != CutReport.APPLIED:
@@ -197,6 +199,8 @@ def main():
     frame = show_frame(body.state.header.frame_id)
     body.find_root()
     perform(body, rospy.get_param('~duration', 15))
+    if rospy.is_shutdown():
+        sys.exit('the demo: ended before its end')
     print(summary(body), end='', flush=True)
     if body.applied != COMMANDS or body.state.pieces < PIECES:
         sys.exit('the demo: not every cut was applied, or a piece hangs on, see above')

@@ -40,11 +40,11 @@ configure() {
   cmake -S "$ROOT" -B "$folder" "$@" && echo "$*" >"$stamp"
 }
 
-# compile FOLDER TARGET...: make finds out by itself what is out of date.
+# compile FOLDER TARGET...: make finds out by itself what is out of date. One at a time: two would write one file.
 compile() {
   local folder="$1"
   shift
-  cmake --build "$folder" --parallel "$(nproc)" --target "$@"
+  flock "$folder" cmake --build "$folder" --parallel "$(nproc)" --target "$@"
 }
 
 # Makes this shell see the build, and a ROS master of its own on this machine only.

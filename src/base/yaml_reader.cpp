@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "incision/base/foreign_words.h"
 #include "incision/base/input_error.h"
 #include "incision/base/printable.h"
 #include "incision/base/resolve_path.h"
@@ -151,7 +152,9 @@ YamlMap YamlValue::map(const std::vector<std::string>& allowed_keys) const {
     const std::string name = entry.first.Scalar();
     const YamlValue value(entry.second, source_, folder_, (key_.empty() ? "" : key_ + ".") + printable(name));
     if (std::find(allowed_keys.begin(), allowed_keys.end(), name) == allowed_keys.end()) {
-      value.fail("unknown key" + suggestion(name, allowed_keys) + " (allowed: " + allowed + ")");
+      const std::string said = saidHere(name, allowed_keys);
+      value.fail("unknown key" + (said.empty() ? suggestion(name, allowed_keys) : said) + " (allowed: " + allowed +
+                 ")");
     }
     if (!entries.emplace(name, value).second) value.fail("given twice (allowed: once)");
   }

@@ -5,6 +5,10 @@
 #include <iomanip>
 #include <sstream>
 
+#include "incision/base/printable.h"
+#include "incision/base/yaml_reader.h"
+#include "incision/tool/kinds.h"
+
 namespace incision {
 
 std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult& last_step) {
@@ -80,6 +84,13 @@ std::string describe(const DeformableBody& body) {
        << "\", from (" << low.x() << ", " << low.y() << ", " << low.z() << ") to (" << high.x() << ", " << high.y()
        << ", " << high.z() << ") m, of " << body.motion().mass << " kg, " << counts.held_nodes << " of its "
        << counts.nodes << " nodes held";
+  const Regions& regions = body.materials().regions();
+  std::vector<std::string> names;
+  for (int r = 1; r < regions.count(); ++r) names.push_back(printable(regions.name(r)));
+  if (!names.empty()) line << "; regions: " << joined(names);
+  names.clear();
+  for (const ToolSettings& tool : body.scene().tools) names.push_back(tool.name + " (" + kindOf(tool).name + ")");
+  if (!names.empty()) line << "; tools: " << joined(names);
   return line.str();
 }
 

@@ -40,15 +40,14 @@ void PaceWatch::look(SteadyTime now) {
   lookAtWaitingCommands(now);
 }
 
+/// That of wall time is Slowness' to tell.
 void PaceWatch::lookAtSkippedTime(double passed) {
+  if (!pacer_.goesByStamps()) return;
   const double skipped = pacer_.skipped(), more = skipped - std::exchange(skipped_, skipped);
   if (more <= SKIPPED_SHARE * passed) return;
   std::ostringstream text;
-  if (pacer_.goesByStamps())
-    text << "no steps are taken for " << more << " s of /clock, because they did not keep up with it or it jumped ("
-         << skipped << " s so far): " << SLOWER;
-  else
-    text << "steps take longer than what they simulate: " << skipped << " s of wall time are lost so far";
+  text << "no steps are taken for " << more << " s of /clock, because they did not keep up with it or it jumped ("
+       << skipped << " s so far): " << SLOWER;
   answers_.warn("skipped time", text.str());
 }
 

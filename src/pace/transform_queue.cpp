@@ -94,8 +94,8 @@ void TransformQueue::putOneOut() {
   auto oldest = std::find_if(waiting_.begin(), waiting_.end(),
                              [this](const Command& command) { return !frames_.knows(command.frame); });
   if (oldest == waiting_.end()) oldest = waiting_.begin();
-  refuse_(*oldest,
-          {Refusal::TOO_MANY, "too many commands wait for a transform; this one from \"" + oldest->frame + "\""});
+  refuse_(*oldest, {Refusal::TOO_MANY,
+                    "too many cuts and poses wait for a transform; this one is given in \"" + oldest->frame + "\""});
   waiting_.erase(oldest);
 }
 

@@ -49,25 +49,12 @@ std::string text(double value, const char* format = "%.3g") {
   return words;
 }
 
-/// "solve 61 %, contact 20 %", the longest first.
-std::string whatTakesTheTime(const PhaseTimes& sum, double step_ms) {
-  const auto& [cut, fracture, contact, assembly, solve, update] = sum;
-  std::vector<std::pair<double, std::string>> phases = {{cut, "cuts"},        {fracture, "fracture"},
-                                                        {contact, "contact"}, {assembly, "assembly"},
-                                                        {solve, "solve"},     {update, "update"}};
-  std::sort(phases.begin(), phases.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<std::string> words;
-  for (const auto& [ms, name] : phases)
-    if (ms >= 0.01 * step_ms) words.push_back(name + " " + text(100 * ms / step_ms, "%.0f") + " %");
-  return joined(words);
-}
-
 void tellSteps(const StepTally& tally, Status* status) {
   status->add("steps since the last diagnosis", tally.steps);
   if (tally.steps == 0) return;
   status->add("step [ms], mean", text(tally.step_ms / tally.steps));
   status->add("step [ms], longest", text(tally.longest_ms));
-  status->add("what takes the time", whatTakesTheTime(tally.phase_ms, tally.step_ms));
+  status->add("what takes the time", describe(sharesOf(tally)));
 }
 
 /// A line of /proc that begins with a word and a number of kB, in bytes; 0 where there is none.
@@ -79,22 +66,6 @@ double kilobytesIn(const char* file, const std::string& word) {
 }
 
 }  // namespace
-
-void StepTally::add(const StepResult& step) {
-  ++steps;
-  unsettled += step.settled ? 0 : 1;
-  divided += step.divided ? 1 : 0;
-  step_ms += step.step_ms;
-  longest_ms = std::max(longest_ms, step.step_ms);
-  phase_ms.cut += step.phase_ms.cut;
-  phase_ms.fracture += step.phase_ms.fracture;
-  phase_ms.contact += step.phase_ms.contact;
-  phase_ms.assembly += step.phase_ms.assembly;
-  phase_ms.solve += step.phase_ms.solve;
-  phase_ms.update += step.phase_ms.update;
-  if (step.iterations > 0) residual = std::max(residual, step.residual);
-  iterations = std::max(iterations, step.iterations);
-}
 
 MemoryUse memoryUse() {
   return {kilobytesIn("/proc/self/status", "VmRSS:"), kilobytesIn("/proc/self/status", "VmHWM:"),
@@ -146,12 +117,12 @@ void tellInput(const InputCounts& counts, const InputCounts& before, const Waiti
     if (count > 0) complain(status, std::to_string(count) + what);
   };
   complainOf(sum(counts) - sum(before), " messages refused");
-  complainOf(counts.late - before.late, " commands came late");
+  complainOf(counts.late - before.late, " cuts and messages to tools came late");
   complainOf(counts.thinned - before.thinned, " poses left out");
   complainOf(counts.ignored_transforms - before.ignored_transforms, " transforms ignored");
   if (static_cast<double>(waiting.for_transform) > FULL * MAX_WAITING_FOR_TRANSFORM ||
       static_cast<double>(waiting.for_step) > FULL * MAX_WAITING_CUTS)
-    complain(status, "so many commands wait that some may be refused");
+    complain(status, "so many cuts and messages to tools wait that some may be refused");
   std::vector<std::string> stale;
   for (std::size_t i = 0; i < condition.stale.size(); ++i)
     if (condition.stale[i] != 0) stale.push_back(tools[i]);

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 #include "incision/body/quantities.h"
@@ -46,6 +47,8 @@ IncisionNode::IncisionNode()
       tasks_(wakeup_),
       reporter_(node_, settings_.scene, &publishing_),
       markers_(node_, settings_, body_),
+      first_steps_(settings_.scene.solver.time_step),
+      slowness_(settings_.scene.solver.time_step, settings_.scene.contact && settings_.scene.contact->self),
       state_(&publishing_, node_.advertise<BodyState>("state", STATE_QUEUE), STATE_QUEUE),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
@@ -91,11 +94,12 @@ IncisionNode::IncisionNode()
 /// Services first, or the spinner would wait for one that waits for us.
 IncisionNode::~IncisionNode() {
   tasks_.close();
-  input_.close({Refusal::BY_RESET, "the node has ended before this command took effect"});
+  input_.close({Refusal::BY_RESET, "the node has ended before it took effect"});
   reporter_.flush();
 }
 
 void IncisionNode::run() {
+  slowness_.restart(now());
   while (!endAsked()) {
     bool changed = tasks_.run();
     const StepInput::Due due = step_input_.update(now());
@@ -105,6 +109,7 @@ void IncisionNode::run() {
     publishing_.flush();
     tellCondition();
     watch_.look(now());
+    tellSlowness();
     checkpoints_.offer(now(), body_.topologyVersion());
     markers_.offer(body_, step_input_.obstaclePoses(), last_step_, wantsRegionStress(), now());
     if (!due.step) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
@@ -117,6 +122,8 @@ void IncisionNode::step() {
     step_input_.stepTaken();
     real_time_factor_.add(now(), body_.time());
     diagnostics_.stepTaken(last_step_);
+    slowness_.stepTaken(last_step_);
+    if (const auto pace = first_steps_.add(last_step_.step_ms)) reporter_.inform(*pace);
   }
   reportChanges();
 }
@@ -151,16 +158,17 @@ void IncisionNode::reportChanges() {
 void IncisionNode::stepFailed(const std::string& why) {
   error_ = why;
   setPaused(true);
-  ROS_ERROR_STREAM("paused, because a step failed: " << why);
+  ROS_ERROR_STREAM("paused, because a step failed: " << why
+                                                     << " (~reset starts anew, ~restore goes back to a checkpoint)");
 }
 
 void IncisionNode::setPaused(bool paused) {
   step_input_.setPaused(paused);
-  real_time_factor_.restart();
+  restartPace();
 }
 
 void IncisionNode::reset() {
-  step_input_.restart({Refusal::BY_RESET, "the body was reset before this command took effect"});
+  step_input_.restart({Refusal::BY_RESET, "the body was reset before it took effect"});
   for (ToolPublisher& tool : tools_) tool.restart();
   body_.reset();
   startAnew();
@@ -171,7 +179,12 @@ void IncisionNode::startAnew() {
   last_step_ = StepResult();
   error_.clear();
   reporter_.setPieces(body_.counts().pieces);
+  restartPace();
+}
+
+void IncisionNode::restartPace() {
   real_time_factor_.restart();
+  slowness_.restart(now());
 }
 
 SavedState IncisionNode::save() const {
@@ -184,7 +197,7 @@ SavedState IncisionNode::save() const {
 void IncisionNode::restore(const SavedState& state) {
   const std::optional<LeadsMemory> leads = readLeads(state.leads, step_input_.keep());
   body_.restore(state.body);
-  step_input_.recall(leads, {Refusal::BY_RESET, "the body was restored before this command took effect"});
+  step_input_.recall(leads, {Refusal::BY_RESET, "the body was restored before it took effect"});
   startAnew();
   reconfigure_.show(body_.live());
 }
@@ -234,6 +247,13 @@ void IncisionNode::tellCondition() {
     for (std::size_t i = 0; i < tools_.size(); ++i)
       condition->stale[i] = static_cast<char>(step_input_.tools()[i].stale());
   });
+}
+
+/// /clock may be as slow as it likes.
+void IncisionNode::tellSlowness() {
+  if (step_input_.paused() || pacer_->goesByStamps()) return;
+  const auto machine_threads = static_cast<int>(std::thread::hardware_concurrency());
+  if (const auto said = slowness_.look(now(), body_.live().threads, machine_threads)) reporter_.warn("pace", *said);
 }
 
 /// Between steps.

@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include "incision/base/printable.h"
 #include "incision/pace/agenda.h"
 #include "incision/pace/transform_queue.h"
 #include "incision/ros/conversions.h"
@@ -32,7 +33,8 @@ Reporter::Reporter(ros::NodeHandle& node, const Scene& scene, PublishingThread* 
 void Reporter::setPieces(int pieces) { pieces_ = pieces; }
 
 void Reporter::report(const CutResult& result) {
-  if (result.status == CutStatus::REJECTED) count("a cut", {Refusal::BY_BODY, result.reason});
+  if (result.status == CutStatus::REJECTED)
+    count("a cut", "the cut '" + printable(result.label) + "'", {Refusal::BY_BODY, result.reason});
   setPieces(result.pieces);
   publish(result);
 }
@@ -49,7 +51,7 @@ void Reporter::report(const CrackResult& result) {
 }
 
 void Reporter::refuseCut(const std::string& label, const Refused& refused) {
-  count("a cut", refused);
+  count("a cut", "the cut '" + printable(label.substr(0, MAX_LABEL)) + "'", refused);
   CutResult result;
   result.label = label.substr(0, MAX_LABEL);
   result.status = CutStatus::REJECTED;
@@ -60,14 +62,17 @@ void Reporter::refuseCut(const std::string& label, const Refused& refused) {
 
 void Reporter::refuseTool(int tool, const Refused& refused) {
   ++of_tools_[static_cast<std::size_t>(tool)];
-  count("a message to the tool '" + tools_[static_cast<std::size_t>(tool)] + "'", refused);
+  const std::string whose = "a message to the tool '" + tools_[static_cast<std::size_t>(tool)] + "'";
+  count(whose, whose, refused);
 }
 
-void Reporter::refuseSettings(const Refused& refused) { count("what was to be set anew", refused); }
+void Reporter::refuseSettings(const Refused& refused) {
+  count("what was to be set anew", "what was to be set anew", refused);
+}
 
-void Reporter::count(const std::string& whose, const Refused& refused) {
+void Reporter::count(const std::string& about, const std::string& what, const Refused& refused) {
   ++counts_[static_cast<int>(refused.kind)];
-  warn("refused " + whose, "refused " + whose + ": " + refused.reason);
+  warn("refused " + about, "refused " + what + ": " + refused.reason);
 }
 
 void Reporter::warn(const std::string& about, const std::string& text) {

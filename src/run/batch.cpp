@@ -14,6 +14,7 @@
 #include "incision/body/deformable_body.h"
 #include "incision/body/quantities.h"
 #include "incision/body/remarks.h"
+#include "incision/run/first_steps.h"
 #include "incision/run/run_summary.h"
 #include "incision/run/state_file.h"
 #include "incision/scene/scene.h"
@@ -80,6 +81,7 @@ bool takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) 
   const std::int64_t steps = run.source != nullptr ? run.source->steps() : run.options.steps;
   const std::int64_t last = body.steps() + run.options.steps;
   Progress progress(run.err, body.steps() + std::min(steps, run.options.steps));
+  FirstSteps first_steps(body.scene().solver.time_step);
   outputs.start(body);
   try {
     while (body.steps() < last && !stop_asked && (run.source == nullptr || run.source->prepare())) {
@@ -88,7 +90,9 @@ bool takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) 
       statistics.add(step);
       if (run.source != nullptr) run.source->taken(step);
       outputs.add(body, step);
-      sayRemarks(run, step.cuts, time, &progress, outputs.takeRemarks());
+      std::vector<std::string> remarks = outputs.takeRemarks();
+      if (auto pace = first_steps.add(step.step_ms)) remarks.push_back(std::move(*pace));
+      sayRemarks(run, step.cuts, time, &progress, std::move(remarks));
       progress.show(body, step.step_ms);
     }
     if (run.source != nullptr) run.source->finish({});

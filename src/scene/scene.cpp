@@ -59,8 +59,6 @@ void checkRegions(const Scene& scene) {
 Scene parseSections(const YamlValue& root) {
   std::vector<std::string> keys;
   for (const Section& section : sections()) keys.push_back(section.key);
-  if (const auto tool = root.peek("tool"))
-    tool->fail("there may be several tools, each with a name (allowed: tools: {NAME: {type: blade, …}})");
   const YamlMap map = root.map(keys);
   Scene scene;
   for (const Section& section : sections()) {

@@ -75,7 +75,7 @@ class Answers(unittest.TestCase):
         self.client.reset()
         answers = self.answers(len(labels), 'of the reset')
         self.assertEqual({label: REJECTED for label in labels}, answers)
-        self.assertEqual({'the body was reset before this command took effect'},
+        self.assertEqual({'the body was reset before it took effect'},
                          {report.reason for report in self.client.reports})
 
     def test_what_the_lists_have_no_room_for_is_answered_at_once(self):
@@ -149,7 +149,7 @@ class Answers(unittest.TestCase):
                 node.wait_for(lambda: len(node.reports) >= 2 * MOST_TRANSFORMS, f'the reports of {name}')
                 self.assertEqual(2 * MOST_TRANSFORMS, len({report.label for report in node.reports}))
                 self.assertEqual(2 * MOST_TRANSFORMS, len(node.reports))
-                self.assertEqual({'the node has ended before this command took effect'},
+                self.assertEqual({'the node has ended before it took effect'},
                                  {report.reason for report in node.reports})
                 if name == 'replaced':
                     new.stop()

@@ -126,7 +126,7 @@ TEST(Input, IsWarnedOfWhileItIsNotFollowed) {
   EXPECT_EQ(told(counts, counts, {0, 900}, {0, 0}).level, Level::WARN);
   counts.late = 1;
   EXPECT_EQ(told(counts, {}, {}, {1, 0}).message,
-            "3 messages refused; 1 commands came late; no poses come for scalpel");
+            "3 messages refused; 1 cuts and messages to tools came late; no poses come for scalpel");
 }
 
 TEST(Memory, ThatIsNearlyUsedUpIsWarnedOf) {

@@ -114,6 +114,23 @@ TEST_F(Batch, SaysAtTheStartWhatTheBodyIs) {
   EXPECT_EQ(err_.str(),
             "incision_batch: a body of 24 elements in frame \"body\", from (0, 0, 0) to (1, 0.25, 0.25) m, of 62.5 kg, "
             "4 of its 20 nodes held\n");
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "0", "--set", "body.regions=[{box: [[0, 0, 0], [0.5, 1, 1]]}]", "--set",
+                 "tools={knife: {type: blade, edge: [[0, 0, 0], [0, 0, 1]]}, awl: {type: blade, edge: [[0, 0, 0], [0, "
+                 "0, 1]]}}"}),
+            BatchStatus::DONE)
+      << err_.str();
+  EXPECT_NE(err_.str().find("4 of its 20 nodes held; regions: region_0; tools: awl (blade), knife (blade)\n"),
+            std::string::npos)
+      << err_.str();
+}
+
+TEST_F(Batch, SaysAfterTenStepsWhatPaceToExpect) {
+  const std::string pace = "incision_batch: a step of 10 ms takes ";
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "9"}), BatchStatus::DONE) << err_.str();
+  EXPECT_EQ(err_.str().find(pace), std::string::npos) << err_.str();
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "30"}), BatchStatus::DONE) << err_.str();
+  EXPECT_NE(err_.str().find(pace), std::string::npos) << err_.str();
+  EXPECT_EQ(err_.str().find(pace), err_.str().rfind(pace)) << err_.str();
 }
 
 TEST_F(Batch, SaysWhatOfTheMeshWasMendedAndLeavesStraysOutOfTheBounds) {

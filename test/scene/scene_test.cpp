@@ -81,9 +81,6 @@ TEST(Scene, BadSectionsAreRefusedWithSourceAndKey) {
       complaint(BODY + "tols: 1"),
       "scene.yaml: tols: unknown key, did you mean tools? (allowed: body, gravity, boundary, loads, solver, cuts, "
       "fracture, contact, tools)");
-  EXPECT_EQ(
-      complaint(BODY + "tool: {edge: [[0, 0, 0], [0, 0, 1]]}"),
-      "scene.yaml: tool: there may be several tools, each with a name (allowed: tools: {NAME: {type: blade, …}})");
   EXPECT_EQ(complaint(BODY + "gravity: -9.81"), "scene.yaml: gravity: '-9.81' (allowed: a list of 3)");
   EXPECT_EQ(complaint(BODY + "boundary: {box: 1}"), "scene.yaml: boundary: a map (allowed: a list)");
   EXPECT_EQ(complaint(BODY + "boundary: [{velocity: [0, 0, 0]}]"),

@@ -31,7 +31,8 @@ std::vector<Quantity> toolQuantitiesOf(const DeformableBody& body, std::size_t t
 /// 16 digits, for hashes: as a number, readers of JSON keep only 53 bits.
 std::string hexadecimal(std::uint64_t value);
 
-/// What the body is before its first step, in a line for people: its size, where it lies, its mass, what holds it.
+/// What the body is before its first step, in a line for people: its size, where it lies, its mass, what holds it, its
+/// regions and its tools.
 std::string describe(const DeformableBody& body);
 
 }  // namespace incision

@@ -7,21 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "incision/body/deformable_body.h"
 #include "incision/pace/command.h"
+#include "incision/run/step_tally.h"
 
 namespace incision {
-
-/// Steps taken since the last diagnosis.
-struct StepTally {
-  int steps = 0, unsettled = 0, divided = 0;
-  double step_ms = 0, longest_ms = 0;  ///< in all, and the longest
-  PhaseTimes phase_ms;                 ///< in all
-  double residual = 0;                 ///< the largest, of iterative solves
-  int iterations = 0;                  ///< the most
-
-  void add(const StepResult& step);
-};
 
 /// How a node is at a moment, as far as its stepping thread alone knows.
 struct Condition {
@@ -60,8 +49,8 @@ MemoryUse memoryUse();
 
 using Status = diagnostic_updater::DiagnosticStatusWrapper;
 
-/// Each tells its part of the diagnosis: a level with its reason, and the numbers. A body that is paused is well,
-/// unless a step has failed.
+/// Each tells its part of the diagnosis: a level with its reason, and the numbers. The tally is of the steps since the
+/// last one. A body that is paused is well, unless a step has failed.
 void tellPace(const Condition& condition, const StepTally& tally, double period, Status* status);
 void tellNumerics(const Condition& condition, const StepTally& tally, Status* status);
 /// `before`: at the last diagnosis. `tools`: their names.

@@ -11,6 +11,7 @@
 #include "incision/pace/pace_watch.h"
 #include "incision/pace/pacer.h"
 #include "incision/pace/real_time_factor.h"
+#include "incision/pace/slowness.h"
 #include "incision/pace/step_input.h"
 #include "incision/pace/stepping_tasks.h"
 #include "incision/ros/checkpoint_server.h"
@@ -21,6 +22,7 @@
 #include "incision/ros/reconfigure.h"
 #include "incision/ros/reporter.h"
 #include "incision/ros/tool_publisher.h"
+#include "incision/run/first_steps.h"
 
 namespace incision {
 
@@ -47,6 +49,7 @@ class IncisionNode {
   bool stepService(Trigger::Request& request, Trigger::Response& response);
   bool resetService(Trigger::Request& request, Trigger::Response& response);
   void setPaused(bool paused);
+  void restartPace();
   void reset();
   void startAnew();
   SavedState save() const;
@@ -59,6 +62,7 @@ class IncisionNode {
   bool wantsRegionStress() const;
   void publishState();
   void tellCondition();
+  void tellSlowness();
   void set(const NodeLiveSettings& settings);
 
   ros::NodeHandle node_{"~"};
@@ -72,6 +76,8 @@ class IncisionNode {
   Reporter reporter_;
   MarkerPublisher markers_;
   RealTimeFactor real_time_factor_;
+  FirstSteps first_steps_;
+  Slowness slowness_;
   StepResult last_step_;
   std::string error_;
   SteadyTime next_heartbeat_;

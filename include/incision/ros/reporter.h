@@ -52,7 +52,8 @@ class Reporter : public Answers {
   std::uint64_t refusedOf(std::size_t tool) const { return of_tools_[tool]; }
 
  private:
-  void count(const std::string& whose, const Refused& refused);
+  /// `about`: what is warned of now and then, of which there are no more than the scene has names.
+  void count(const std::string& about, const std::string& what, const Refused& refused);
   void publish(const CutResult& result);
 
   const std::string body_frame_;

@@ -166,7 +166,7 @@ void BagSteps::taken(const StepResult& step) {
 void BagSteps::finish(const std::vector<CutResult>& cuts) {
   answers_.setTime(now_, body_.time());
   for (const CutResult& cut : cuts) answers_.report(cut);
-  commands_.refuseAll({Refusal::BY_RESET, "the run has ended before this command took effect"});
+  commands_.refuseAll({Refusal::BY_RESET, "the run has ended before it took effect"});
 }
 
 void BagSteps::recall(const std::string& leads) {

@@ -114,7 +114,7 @@ void Handle::moveTool(const Feedback& feedback) {
   moved.header.frame_id = feedback->header.frame_id;
   moved.pose = feedback->pose;
   if (const auto refused = whyRefused(moved)) {
-    ROS_WARN_STREAM_THROTTLE(1, "the tool stays where it is: " << refused->reason);
+    ROS_WARN_STREAM_THROTTLE(1, publisher_.topic() << ": the tool stays where it is: " << refused->reason);
     return;
   }
   pose_ = moved;

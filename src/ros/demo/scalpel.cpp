@@ -144,7 +144,7 @@ void Scalpel::publishDone(bool done) {
   std_msgs::Bool message;
   message.data = done;
   done_publisher_.publish(message);
-  if (done) ROS_INFO("the path is through; the tool stays at its end");
+  if (done) ROS_INFO_STREAM("the path of " << publisher_.topic() << " is through; the tool stays at its end");
 }
 
 }  // namespace incision

@@ -14,6 +14,7 @@ class ToolPosePublisher {
   /// `queue`: poses that may wait for a slow subscriber.
   ToolPosePublisher(ros::NodeHandle& node, std::string tool_frame, std::uint32_t queue);
 
+  std::string topic() const { return poses_.getTopic(); }
   bool hasSubscribers() const { return poses_.getNumSubscribers() > 0; }
 
   /// Each pose goes to the topic, up to a hundred a second to tf.
