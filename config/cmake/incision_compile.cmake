@@ -32,6 +32,9 @@ endif()
 # Calls into libraries are bound at loading, not one by one in the step that first needs them: a cut's, mostly.
 target_link_options(incision_flags INTERFACE -Wl,-z,now)
 
+# What is linked with a shared library need not be linked again because that has changed inside.
+set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
+
 function(incision_compile target)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:incision_flags>)

@@ -13,6 +13,8 @@
 #   apart. Some stages run on other arithmetic too, see incision_on_processors.
 # - test/body/instruction_count.py: instructions a step, where valgrind is installed.
 # - test/ros/*.test: rostest.
+# - test/run/version_test.py: what the build writes down as the version.
+# - test/study/*_test.py: studies of many runs, those in *_full_test.py slow ones that start servers.
 # - test/install/: a program against the installed package.
 # - test/pages/: the pages of documentation.
 # - the sources: what includes what, their format, catkin_lint.
@@ -104,6 +106,26 @@ if(INCISION_ROS AND NOT INCISION_SANITIZE)
   endforeach()
   add_test(NAME full.pages.commands COMMAND "${PROJECT_SOURCE_DIR}/test/pages/commands_full_test.py" "${CMAKE_BINARY_DIR}")
   set_tests_properties(full.pages.commands PROPERTIES LABELS full TIMEOUT 3600)
+endif()
+
+add_test(NAME quick.run.version
+  COMMAND "${PROJECT_SOURCE_DIR}/test/run/version_test.py" "${CMAKE_COMMAND}")
+set_tests_properties(quick.run.version PROPERTIES LABELS quick TIMEOUT 60)
+
+if(INCISION_ROS AND NOT INCISION_SANITIZE)
+  file(GLOB study_tests CONFIGURE_DEPENDS test/study/*_test.py)
+  foreach(file IN LISTS study_tests)
+    get_filename_component(name ${file} NAME_WE)
+    string(REGEX REPLACE "_test$" "" name ${name})
+    set(label quick)
+    if(name MATCHES "_full$")
+      set(label full)
+    endif()
+    add_test(NAME ${label}.study.${name} COMMAND ${file})
+    set_tests_properties(${label}.study.${name} PROPERTIES
+      LABELS ${label} TIMEOUT 300
+      ENVIRONMENT "INCISION_BATCH=$<TARGET_FILE:incision_batch>;INCISION_BUILD=${CMAKE_BINARY_DIR}")
+  endforeach()
 endif()
 
 # Instruction counts hold for the compiler and the flags they were counted with.

@@ -24,32 +24,42 @@ namespace incision {
 
 namespace {
 
-volatile std::sig_atomic_t stop_asked = 0;
+volatile std::sig_atomic_t stop_signal = 0;  // 0: none has come
 
-// One line on a terminal that says how far the run is; nothing elsewhere.
+// How often a run says how far it is: on a terminal in one line that changes, elsewhere in a line each.
+constexpr std::chrono::milliseconds SHOWN_EVERY(100), LOGGED_EVERY(10000);
+
+// Says how far the run is.
 class Progress {
  public:
-  Progress(std::ostream& out, std::int64_t steps)
-      : out_(out), steps_(steps), shown_(&out == &std::cerr && isatty(STDERR_FILENO)) {}
+  Progress(std::ostream& out, const char* program, std::int64_t steps)
+      : out_(out),
+        program_(program),
+        steps_(steps),
+        on_terminal_(&out == &std::cerr && isatty(STDERR_FILENO)),
+        next_(std::chrono::steady_clock::now() + period()) {}
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void show(const DeformableBody& body, double step_ms) {
     const auto now = std::chrono::steady_clock::now();
-    if (!shown_ || now < next_) return;
-    next_ = now + std::chrono::milliseconds(100);
-    out_ << "\rstep " << body.steps() << " of " << steps_ << ", " << body.time() << " s, " << step_ms << " ms a step  "
-         << std::flush;
+    if (now < next_) return;
+    next_ = now + period();
+    out_ << (on_terminal_ ? "\r" : program_ + ": ") << "step " << body.steps() << " of " << steps_ << ", "
+         << body.time() << " s, " << step_ms << " ms a step" << (on_terminal_ ? "  " : "\n") << std::flush;
   }
   void clear() {
-    if (shown_) out_ << "\r\033[K" << std::flush;
+    if (on_terminal_) out_ << "\r\033[K" << std::flush;
   }
 
  private:
+  std::chrono::milliseconds period() const { return on_terminal_ ? SHOWN_EVERY : LOGGED_EVERY; }
+
   std::ostream& out_;
+  std::string program_;
   std::int64_t steps_;
-  bool shown_;
+  bool on_terminal_;
   std::chrono::steady_clock::time_point next_;
 };
 
@@ -75,21 +85,28 @@ void sayRemarks(const Run& run, const std::vector<CutResult>& cuts, double time,
   for (const std::string& remark : remarks) run.say(remark);
 }
 
-// Whether all steps could be taken.
-bool takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) {
+// Takes the steps, and returns what there is to tell of them.
+RunAccount takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) {
   DeformableBody& body = run.body;
   const std::int64_t steps = run.source != nullptr ? run.source->steps() : run.options.steps;
   const std::int64_t last = body.steps() + run.options.steps;
-  Progress progress(run.err, body.steps() + std::min(steps, run.options.steps));
+  RunAccount account = {run.options.scene, run.options.overrides, {}, false, ""};
+  const auto keep = [&](const std::vector<CutResult>& cuts) {
+    account.cuts.insert(account.cuts.end(), cuts.begin(), cuts.end());
+  };
+  Progress progress(run.err, run.program.name, body.steps() + std::min(steps, run.options.steps));
   FirstSteps first_steps(body.scene().solver.time_step);
   outputs.start(body);
   try {
-    while (body.steps() < last && !stop_asked && (run.source == nullptr || run.source->prepare())) {
+    while (body.steps() < last) {
+      account.interrupted = stop_signal != 0;
+      if (account.interrupted || (run.source != nullptr && !run.source->prepare())) break;
       const double time = body.time();
       const StepResult step = body.step();
       statistics.add(step);
       if (run.source != nullptr) run.source->taken(step);
       outputs.add(body, step);
+      keep(step.cuts);
       std::vector<std::string> remarks = outputs.takeRemarks();
       if (auto pace = first_steps.add(step.step_ms)) remarks.push_back(std::move(*pace));
       sayRemarks(run, step.cuts, time, &progress, std::move(remarks));
@@ -99,13 +116,25 @@ bool takeSteps(const Run& run, RunOutputs& outputs, StepStatistics& statistics) 
     sayRemarks(run, {}, body.time(), &progress);
   } catch (const StepFailed& failure) {
     const std::vector<CutResult> cuts = body.takeReports().cuts;
+    keep(cuts);
     if (run.source != nullptr) run.source->finish(cuts);
     sayRemarks(run, cuts, body.time(), &progress);
     progress.clear();
-    run.say("step " + std::to_string(body.steps() + 1) + " failed: " + failure.what());
-    return false;
+    account.failure = "step " + std::to_string(body.steps() + 1) + " failed: " + failure.what();
+    run.say(account.failure);
   }
-  return true;
+  if (run.source != nullptr) account.cuts = run.source->cuts();
+  return account;
+}
+
+BatchStatus statusOf(const RunAccount& account, const BatchOptions& options, bool written) {
+  const auto went_wrong = [](const CutResult& cut) { return cut.status != CutStatus::APPLIED; };
+  if (account.interrupted) return stop_signal == SIGTERM ? BatchStatus::TERMINATED : BatchStatus::INTERRUPTED;
+  if (!written) return BatchStatus::FAILED;
+  if (!account.failure.empty() && !options.keep_going) return BatchStatus::STEP_FAILED;
+  if (options.strict && std::any_of(account.cuts.begin(), account.cuts.end(), went_wrong))
+    return BatchStatus::CUT_MISSED;
+  return BatchStatus::DONE;
 }
 
 BatchStatus runScene(const BatchProgram& program, const BatchOptions& options, std::ostream& out, std::ostream& err) {
@@ -128,10 +157,10 @@ BatchStatus runScene(const BatchProgram& program, const BatchOptions& options, s
   const Run run = {program, options, body, source.get(), err};
   for (const std::string& note : notes) run.say(note);
   StepStatistics statistics;
-  const bool stepped = takeSteps(run, outputs, statistics);
+  const RunAccount account = takeSteps(run, outputs, statistics);
   const bool written = outputs.finish(body, source ? source->leads() : "", key, program.name, err);
-  out << summaryLine(body, statistics, source.get()) << std::endl;
-  return stepped && written && out ? BatchStatus::DONE : BatchStatus::FAILED;
+  out << summaryLine(body, statistics, account, source.get()) << std::endl;
+  return statusOf(account, options, written && out);
 }
 
 }  // namespace
@@ -165,7 +194,7 @@ BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& ou
 
 void stopAtSignals() {
   const auto stop = [](int signal) {
-    stop_asked = 1;
+    stop_signal = signal;
     std::signal(signal, SIG_DFL);
   };
   std::signal(SIGINT, stop);

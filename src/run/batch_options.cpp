@@ -25,10 +25,13 @@ constexpr const char* OPTIONS =
   --restore START.state
                      goes on where --save has left off with the same scene;
                      --steps counts from there
+  --keep-going       exit status 0 where a step has failed too
+  --strict           exit status 4 where a cut was missed or rejected
   --help             this text
 
 Ctrl-C ends the run after the current step, outputs included.
-Exit status: 0 done, 1 a step failed or an output could not be written, 2 bad input.
+Exit status: 0 done, 1 an output could not be written or memory is short, 2 bad
+input, 3 a step failed, 4 see --strict, 130 Ctrl-C, 143 ended by SIGTERM.
 )";
 
 std::int64_t parseSteps(const char* option, std::int64_t least, const std::string& text) {
@@ -58,6 +61,14 @@ std::map<std::string, Taker> optionTakers(BatchOptions& options) {
           {"--every", [&](const std::string& value) { options.every = parseSteps("--every", 1, value); }}};
 }
 
+// Options without a value.
+std::map<std::string, bool*> switches(BatchOptions& options) {
+  return {{"--help", &options.help},
+          {"-h", &options.help},
+          {"--keep-going", &options.keep_going},
+          {"--strict", &options.strict}};
+}
+
 // Those that come first and have no option before them, by what an error calls them.
 struct Positional {
   const char* name;
@@ -82,6 +93,7 @@ std::string helpOf(const BatchProgram& program) { return std::string(program.usa
 BatchOptions parseArguments(const BatchProgram& program, const std::vector<std::string>& arguments) {
   BatchOptions options;
   std::map<std::string, Taker> takers = optionTakers(options);
+  const std::map<std::string, bool*> switched = switches(options);
   std::vector<Positional> places = {{"scene file", &options.scene}};
   if (program.runs_bag) {
     options.steps = MAX_STEPS;
@@ -93,11 +105,10 @@ BatchOptions parseArguments(const BatchProgram& program, const std::vector<std::
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     const auto taker = takers.find(argument);
-    if (argument == "--help" || argument == "-h") {
-      options.help = true;
-      return options;
-    }
-    if (taker != takers.end()) {
+    if (const auto found = switched.find(argument); found != switched.end()) {
+      *found->second = true;
+      if (options.help) return options;
+    } else if (taker != takers.end()) {
       ++i;
       if (i == arguments.size() || arguments[i].empty()) throw InputError(argument + ": its value is missing");
       taker->second(arguments[i]);

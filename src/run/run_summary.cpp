@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "incision/body/quantities.h"
+#include "incision/run/version.h"
+#include "incision/tool/tool.h"
 
 namespace incision {
 
@@ -38,6 +40,27 @@ T quantileOf(std::vector<T> values, double share) {
   return values[std::max<std::size_t>(rank, 1) - 1];
 }
 
+const char* wordFor(CutStatus status) {
+  return status == CutStatus::APPLIED ? "applied" : status == CutStatus::MISSED ? "missed" : "rejected";
+}
+
+Json told(const std::string& label, const char* status, const std::string& reason) {
+  return {{"label", label}, {"status", status}, {"reason", reason}};
+}
+
+/// The cuts that took effect, then those of the scene that have not come due.
+Json cutsOf(const DeformableBody& body, const RunAccount& account) {
+  Json cuts = Json::array();
+  for (const CutResult& cut : account.cuts) cuts.push_back(told(cut.label, wordFor(cut.status), cut.reason));
+  // A step that failed has begun.
+  const double time_step = body.scene().solver.time_step;
+  const std::int64_t begun = account.failure.empty() ? body.steps() - 1 : body.steps();
+  for (const ScheduledCut& cut : body.scene().cuts)
+    if (begun < 0 || cut.time > static_cast<double>(begun) * time_step + DUE_TOLERANCE)
+      cuts.push_back(told(cut.plane.label, "pending", "the run ended before its time"));
+  return cuts;
+}
+
 }  // namespace
 
 void StepStatistics::add(const StepResult& step) {
@@ -66,9 +89,16 @@ PhaseTimes StepStatistics::meanPhases() const {
   return {sum_.cut / n, sum_.fracture / n, sum_.contact / n, sum_.assembly / n, sum_.solve / n, sum_.update / n};
 }
 
-std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics, const StepSource* source) {
+std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics, const RunAccount& account,
+                        const StepSource* source) {
   const PhaseTimes phases = statistics.meanPhases();
   Json line;
+  line["scene"] = account.scene;
+  line["set"] = account.overrides;
+  line["version"] = version();
+  line["interrupted"] = account.interrupted;
+  line["failure"] = account.failure.empty() ? Json() : Json(account.failure);
+  line["cuts"] = cutsOf(body, account);
   line["steps"] = body.steps();
   line["time"] = body.time();
   add(quantitiesOf(body, statistics.last()), &line);
@@ -91,7 +121,7 @@ std::string summaryLine(const DeformableBody& body, const StepStatistics& statis
   if (source != nullptr) add(source->quantities(), &line[source->name()]);
   line["peak_rss_mb"] = peakMemory();
   line["state_hash"] = hexadecimal(body.stateHash());
-  return line.dump();
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace incision

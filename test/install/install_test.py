@@ -45,6 +45,12 @@ def main():
             stdout=subprocess.DEVNULL, env=environment)
         run('cmake', '--build', folder / 'user', stdout=subprocess.DEVNULL, env=environment)
         run(folder / 'user/devel/lib/user_package/user_program', env=environment)
+        for program in ('incision_study', 'incision_fit'):
+            run(prefix / 'lib/incision' / program, '--help', stdout=subprocess.DEVNULL, cwd=folder)
+        study = prefix / 'share/incision/launch/study/bar_study.yaml'
+        listed = subprocess.run([prefix / 'lib/incision/incision_study', study, '--list'], check=True, cwd=folder,
+                                stdout=subprocess.PIPE, text=True).stdout
+        assert listed.startswith(str(prefix / 'lib/incision/incision_batch')), listed
         print(f'{len(headers)} headers are installed, and a program builds with all of them')
 
 

@@ -60,7 +60,7 @@ TEST_F(BatchFaults, ASignalEndsARunWithinAStepWithAllThatWasRecordedWhole) {
     const std::size_t taken = lines("run.csv").size();  // and a row that is being written
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status << errors();
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 128 + signal) << status << errors();
 
     const std::vector<std::string> rows = lines("run.csv");
     EXPECT_LE(rows.size(), taken + 2);
@@ -68,6 +68,7 @@ TEST_F(BatchFaults, ASignalEndsARunWithinAStepWithAllThatWasRecordedWhole) {
       EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(rows[0].begin(), rows[0].end(), ',')) << row;
     const nlohmann::json end = nlohmann::json::parse(lines("end.json").at(0));
     EXPECT_EQ(end["steps"].get<std::size_t>(), rows.size() - 1);
+    EXPECT_EQ(end["interrupted"], true);
     EXPECT_EQ(
         run({file("bar.yaml"), "--steps", "0", "--set", "body.grid.cells=[12,6,6]", "--restore", file("end.state")}),
         BatchStatus::DONE)
@@ -75,6 +76,23 @@ TEST_F(BatchFaults, ASignalEndsARunWithinAStepWithAllThatWasRecordedWhole) {
     EXPECT_EQ(nlohmann::json::parse(out_.str())["state_hash"], end["state_hash"]);
     fs::remove(file("run.csv"));
   }
+}
+
+TEST_F(BatchFaults, FullRunsThatNobodyWatchesSayHowFarTheyAreEveryTenSeconds) {
+  const auto start_time = std::chrono::steady_clock::now();
+  const pid_t child = start({file("bar.yaml"), "--steps", "10000000", "--set", "cuts=[]"});
+  ASSERT_GT(child, 0);
+  const auto said = [&] { return lines("err").size() - 1; };  // beside what the body is
+  while (lines("err").size() < 3) {
+    ASSERT_LT(std::chrono::steady_clock::now() - start_time, 60s) << errors();
+    std::this_thread::sleep_for(5ms);
+  }
+  EXPECT_GT(std::chrono::steady_clock::now() - start_time, 19s) << errors();
+  EXPECT_EQ(said(), 2u);
+  EXPECT_EQ(lines("err").at(1).find("incision_batch: step "), 0u) << errors();
+  EXPECT_NE(lines("err").at(1).find(" of 10000000, "), std::string::npos) << errors();
+  kill(child, SIGTERM);
+  waitpid(child, nullptr, 0);
 }
 
 /// Under limits from where nothing can be loaded to where all fits: no run waits for memory, or ends otherwise than it

@@ -8,11 +8,13 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
 #include "incision/base/input_error.h"
 #include "incision/run/run_summary.h"
+#include "incision/run/version.h"
 #include "support/batch_folder.h"
 
 namespace incision {
@@ -60,7 +62,13 @@ TEST_F(Batch, EndsWithOneLineOfJsonWithEveryKey) {
   const Json line = Json::parse(out_.str());
   std::set<std::string> keys;
   for (const auto& [key, value] : line.items()) keys.insert(key);
-  EXPECT_EQ(keys, (std::set<std::string>{"steps",
+  EXPECT_EQ(keys, (std::set<std::string>{"scene",
+                                         "set",
+                                         "version",
+                                         "interrupted",
+                                         "failure",
+                                         "cuts",
+                                         "steps",
                                          "time",
                                          "bounds",
                                          "held_nodes",
@@ -107,6 +115,59 @@ TEST_F(Batch, CutsThatMissAreToldOnStandardError) {
   run({file("bar.yaml"), "--steps", "3"});
   EXPECT_NE(err_.str().find("'beside' at 0.02 s missed"), std::string::npos) << err_.str();
   EXPECT_EQ(err_.str().find("'middle'"), std::string::npos) << err_.str();
+}
+
+TEST_F(Batch, TheJsonSaysWhatTheRunWas) {
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "3", "--set", "solver.time_step=0.005", "--threads", "2"}),
+            BatchStatus::DONE);
+  const Json line = Json::parse(out_.str());
+  EXPECT_EQ(line["scene"], file("bar.yaml"));
+  EXPECT_EQ(line["set"], Json::parse(R"(["solver.time_step=0.005", "solver.threads=2"])"));
+  EXPECT_EQ(line["interrupted"], false);
+  EXPECT_EQ(line["failure"], nullptr);
+  EXPECT_EQ(line["version"], version());
+  EXPECT_TRUE(std::regex_match(version(), std::regex("[-a-zA-Z0-9._+/]+ (plain|x86-64-v3|native)"))) << version();
+}
+
+TEST_F(Batch, TheJsonSaysWhatBecameOfEachCut) {
+  for (const int steps : {0, 2, 3}) {
+    ASSERT_EQ(run({file("bar.yaml"), "--steps", std::to_string(steps)}), BatchStatus::DONE);
+    const Json cuts = Json::parse(out_.str())["cuts"];
+    ASSERT_EQ(cuts.size(), 2u) << steps;
+    EXPECT_EQ(cuts[0]["label"], "middle");
+    EXPECT_EQ(cuts[0]["status"], steps < 3 ? "pending" : "applied");
+    EXPECT_EQ(cuts[0]["reason"].get<std::string>().empty(), steps == 3);
+    EXPECT_EQ(cuts[1]["label"], "beside");
+    EXPECT_EQ(cuts[1]["status"], steps < 3 ? "pending" : "missed");
+    EXPECT_NE(cuts[1]["reason"], "");
+  }
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "3", "--set", "cuts.0.label=\"\\xff\""}), BatchStatus::DONE);
+  EXPECT_EQ(Json::parse(out_.str())["cuts"].size(), 2u);
+}
+
+TEST_F(Batch, StrictRunsFailWithACutThatWasNotMade) {
+  EXPECT_EQ(run({file("bar.yaml"), "--steps", "3", "--strict"}), BatchStatus::CUT_MISSED);
+  EXPECT_EQ(Json::parse(out_.str())["steps"], 3);
+  EXPECT_EQ(run({file("bar.yaml"), "--steps", "2", "--strict"}), BatchStatus::DONE);  // none was due
+  EXPECT_EQ(run({file("bar.yaml"), "--steps", "3", "--strict", "--set", "cuts.1.point=[0.3,0,0]"}), BatchStatus::DONE);
+}
+
+TEST_F(Batch, AStepThatFailsEndsTheRunWithAStatusOfItsOwn) {
+  const std::vector<std::string> fails = {file("bar.yaml"), "--steps",      "5", "--set", "gravity=[0,0,-1e308]",
+                                          "--set",          "cuts.0.time=0"};
+  EXPECT_EQ(run(fails), BatchStatus::STEP_FAILED);
+  const Json line = Json::parse(out_.str());
+  EXPECT_EQ(line["steps"], 0);
+  EXPECT_EQ(line["failure"].get<std::string>().find("step 1 failed: "), 0u) << line["failure"];
+  EXPECT_NE(err_.str().find(line["failure"].get<std::string>()), std::string::npos) << err_.str();
+  EXPECT_EQ(line["interrupted"], false);
+  EXPECT_EQ(line["cuts"][0]["status"], "applied");  // it took effect before the step
+  EXPECT_EQ(line["cuts"][1]["status"], "pending");
+
+  std::vector<std::string> going_on = fails;
+  going_on.push_back("--keep-going");
+  EXPECT_EQ(run(going_on), BatchStatus::DONE);
+  EXPECT_EQ(Json::parse(out_.str())["failure"], line["failure"]);
 }
 
 TEST_F(Batch, SaysAtTheStartWhatTheBodyIs) {
@@ -293,7 +354,7 @@ TEST_F(Batch, FullDiskIsStatusOneAndStillReports) {
 TEST_F(Batch, HelpNamesEveryOption) {
   EXPECT_EQ(run({"--help"}), BatchStatus::DONE);
   for (const char* option : {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot", "--volume",
-                             "--series", "--every", "--save", "--restore"}) {
+                             "--series", "--every", "--save", "--restore", "--keep-going", "--strict"}) {
     EXPECT_NE(out_.str().find(option), std::string::npos) << option;
   }
 }

@@ -25,11 +25,21 @@ struct BatchOptions {
   std::string restore;                                      ///< file that a body was saved in; empty: none
   std::string save;                                         ///< file to save the body in at the end; empty: none
   std::int64_t every = 10;  ///< steps between snapshots of the series; as many as `steps` may be
+  bool keep_going = false;  ///< a step that fails is no failure of the program
+  bool strict = false;      ///< a cut that is missed or rejected is
   bool help = false;
 };
 
-/// Exit statuses of the batch program.
-enum class BatchStatus { DONE = 0, FAILED = 1, BAD_INPUT = 2 };
+/// Exit statuses of the batch program; the last two by the signal that ended the run, as shells have it.
+enum class BatchStatus {
+  DONE = 0,
+  FAILED = 1,
+  BAD_INPUT = 2,
+  STEP_FAILED = 3,
+  CUT_MISSED = 4,
+  INTERRUPTED = 130,
+  TERMINATED = 143
+};
 
 /// A program that runs a scene: the batch program, or one that takes its steps from elsewhere.
 struct BatchProgram {
@@ -51,8 +61,9 @@ BatchOptions parseBatchArguments(const std::vector<std::string>& arguments);
 std::string helpOf(const BatchProgram& program);
 
 /// Runs a scene without ROS and ends with one line of JSON on `out`; every error is one line on `err`. The run stops
-/// early, outputs included, after a signal, see stopAtSignals. Returns FAILED when a step failed or an output could not
-/// be written; what was reached is written all the same.
+/// early, outputs included, after a signal, see stopAtSignals, and when a step fails. Returns, the first that holds:
+/// that a signal has ended it, FAILED when an output could not be written or memory is short, STEP_FAILED, CUT_MISSED
+/// where the options ask for it. What was reached is written all the same.
 BatchStatus runProgram(const BatchProgram& program, const std::vector<std::string>& arguments, std::ostream& out,
                        std::ostream& err);
 BatchStatus runBatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);

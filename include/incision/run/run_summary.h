@@ -29,9 +29,18 @@ class StepStatistics {
   StepResult last_;
 };
 
+/// What a run was asked for and how it went.
+struct RunAccount {
+  std::string scene;                   ///< the file, as it was named
+  std::vector<std::string> overrides;  ///< values of the scene that were set, such as "solver.time_step=0.005"
+  std::vector<CutResult> cuts;         ///< what became of those that took effect, in their order
+  bool interrupted = false;            ///< it was ended by a signal before its last step
+  std::string failure;                 ///< why a step failed; empty: none did
+};
+
 /// One line of JSON on the body as it is now and on the run so far, and on where its steps came from unless that is
-/// null; all numbers read back as the same doubles.
-std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics,
+/// null; all numbers read back as the same doubles. Text that is not UTF-8 is mended.
+std::string summaryLine(const DeformableBody& body, const StepStatistics& statistics, const RunAccount& account,
                         const StepSource* source = nullptr);
 
 }  // namespace incision

@@ -29,6 +29,9 @@ class StepSource {
   virtual std::string leads() const = 0;
   virtual void recall(const std::string& leads) = 0;
 
+  /// What has become of each cut so far.
+  virtual const std::vector<CutResult>& cuts() const = 0;
+
   /// About how many steps there are.
   virtual std::int64_t steps() const = 0;
 

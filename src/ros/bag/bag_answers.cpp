@@ -13,6 +13,7 @@ void BagAnswers::setTime(SteadyTime now, double simulated) {
 
 void BagAnswers::report(const CutResult& result) {
   ++(result.status == CutStatus::APPLIED ? applied_ : result.status == CutStatus::MISSED ? missed_ : rejected_);
+  cuts_.push_back(result);
   if (result.status != CutStatus::APPLIED) remarks_.push_back(remarkOn(result, simulated_));
 }
 

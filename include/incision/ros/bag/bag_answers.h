@@ -28,6 +28,9 @@ class BagAnswers : public Answers {
   /// What has been said since the last call, each in a line.
   std::vector<std::string> takeRemarks();
 
+  /// What has become of each cut so far.
+  const std::vector<CutResult>& cuts() const { return cuts_; }
+
   /// Counts so far.
   std::vector<Quantity> quantities() const;
 
@@ -37,6 +40,7 @@ class BagAnswers : public Answers {
   double simulated_ = 0;
   Throttle throttle_{WARNING_PERIOD};
   std::vector<std::string> remarks_;
+  std::vector<CutResult> cuts_;
   std::int64_t applied_ = 0, missed_ = 0, rejected_ = 0, refused_ = 0;
 };
 

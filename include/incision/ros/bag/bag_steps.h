@@ -36,6 +36,7 @@ class BagSteps : public StepSource {
   void finish(const std::vector<CutResult>& cuts) override;
   std::string leads() const override { return toBytes(input_.keep()); }
   void recall(const std::string& leads) override;
+  const std::vector<CutResult>& cuts() const override { return answers_.cuts(); }
   std::int64_t steps() const override;
   std::vector<std::string> takeRemarks() override { return answers_.takeRemarks(); }
   std::string name() const override { return "bag"; }
