@@ -100,9 +100,14 @@ endif()
 
 # The pages of documentation: their links, and the command lines in them.
 if(INCISION_ROS AND NOT INCISION_SANITIZE)
-  foreach(class IN ITEMS Coverage WithoutRos InTheNode OwnOrgan Checkpoints)
-    add_test(NAME quick.pages.${class} COMMAND "${PROJECT_SOURCE_DIR}/test/pages/commands_test.py" "${CMAKE_BINARY_DIR}" ${class})
-    set_tests_properties(quick.pages.${class} PROPERTIES LABELS quick TIMEOUT 300)
+  set(commands_classes Coverage WithoutRos InTheNode OwnOrgan Checkpoints)
+  set(tables_classes WithoutRos InTheNode)
+  foreach(what IN ITEMS commands tables)
+    foreach(class IN LISTS ${what}_classes)
+      add_test(NAME quick.pages.${what}.${class}
+        COMMAND "${PROJECT_SOURCE_DIR}/test/pages/${what}_test.py" "${CMAKE_BINARY_DIR}" ${class})
+      set_tests_properties(quick.pages.${what}.${class} PROPERTIES LABELS quick TIMEOUT 300)
+    endforeach()
   endforeach()
   add_test(NAME full.pages.commands COMMAND "${PROJECT_SOURCE_DIR}/test/pages/commands_full_test.py" "${CMAKE_BINARY_DIR}")
   set_tests_properties(full.pages.commands PROPERTIES LABELS full TIMEOUT 3600)

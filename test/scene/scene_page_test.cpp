@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,35 +11,12 @@
 
 #include "incision/base/input_error.h"
 #include "incision/scene/scene.h"
+#include "support/scene_table.h"
 
 namespace incision {
 namespace {
 
 const std::string FOLDER = INCISION_SOURCE_DIR;
-
-struct Row {
-  std::string key;  // such as loads.0.ramp
-  std::string type, range;
-};
-
-std::vector<Row> rows() {
-  std::ifstream readme(FOLDER + "/config/README.md");
-  std::vector<Row> rows;
-  bool inside = false;
-  const std::regex cells(R"(\| `([^|]*)` \| ([^|]*) \|[^|]*\|[^|]*\| (.*) \|)");
-  for (std::string line; std::getline(readme, line); inside = inside && !line.empty()) {
-    inside = inside || line == "| key | type | unit | default | range and meaning |";
-    std::smatch cell;
-    if (!inside || !std::regex_match(line, cell, cells)) continue;
-    std::string name =
-        std::regex_replace(std::regex_replace(cell.str(1), std::regex(R"(\[\]\.)"), ".0."), std::regex(R"(\[\])"), "");
-    const std::size_t comma = name.find("`, `");  // a second key of that section
-    rows.push_back({name.substr(0, comma), cell[2], cell[3]});
-    if (comma == std::string::npos) continue;
-    rows.push_back({name.substr(0, name.rfind('.', comma) + 1) + name.substr(comma + 4), cell[2], cell[3]});
-  }
-  return rows;
-}
 
 // The scene with every section, or where a key goes with another kind of body, the one of that.
 std::string sceneWith(const std::string& key) {
@@ -66,9 +42,9 @@ bool isName(const std::string& key) {
   return std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isupper(c); });
 }
 
-TEST(Readme, ListsEveryKeyAndNoOther) {
+TEST(ScenePage, ListsEveryKeyAndNoOther) {
   std::map<std::string, std::set<std::string>> listed;
-  for (Row row : rows()) {
+  for (SceneRow row : sceneRows(FOLDER)) {
     for (std::size_t dot = row.key.rfind('.'); dot != std::string::npos; dot = row.key.rfind('.')) {
       const std::string last = row.key.substr(dot + 1);
       row.key.resize(dot);
@@ -93,9 +69,9 @@ TEST(Readme, ListsEveryKeyAndNoOther) {
   }
 }
 
-TEST(Readme, GivesTheRangesOfNumbers) {
+TEST(ScenePage, GivesTheRangesOfNumbers) {
   int checked = 0;
-  for (const Row& row : rows()) {
+  for (const SceneRow& row : sceneRows(FOLDER)) {
     if (row.type != "number" && row.type != "integer") continue;
     const std::string range = std::regex_replace(row.range, std::regex("π/2"), "1.570796");
     std::smatch bounds;
