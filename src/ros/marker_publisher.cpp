@@ -1,11 +1,15 @@
 #include "incision/ros/marker_publisher.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "incision/ros/surface_cloud.h"
 
 namespace incision {
 namespace {
+
+/// What is to be seen of a force at least, per kg of the body [N/kg]: a thousandth of its weight.
+constexpr double LEAST_FORCE = 0.01;
 
 std::vector<std::string> namesOf(const std::vector<ToolSettings>& tools) {
   std::vector<std::string> names;
@@ -33,7 +37,10 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
       materials_(body.materials()),
       obstacles_(body.obstacles()),
       contact_names_(contactNames(obstacles_, namesOf(settings.scene.tools))),
-      node_(node) {
+      body_size_((body.bounds().max - body.bounds().min).norm()),
+      time_step_(settings.scene.solver.time_step),
+      node_(node),
+      force_scale_(body_size_, LEAST_FORCE * body.motion().mass) {
   for (std::size_t i = 0; i < body.tools(); ++i) tool_forms_.push_back(body.toolForm(i));
   set(settings.markers);
 }
@@ -124,7 +131,14 @@ void MarkerPublisher::publish(const Snapshot& snapshot) {
   if (snapshot.topology) publishBody(snapshot, stamp);
   if (snapshot.wrenches) publishContacts(snapshot, stamp);
   if (snapshot.links) obstacle_publisher_.publish(toMarkers(obstacles_, *snapshot.links, frame_, stamp));
-  if (snapshot.tools) tool_publisher_.publish(toMarkers(tool_forms_, *snapshot.tools, frame_, stamp));
+  if (snapshot.tools) publishTools(snapshot, stamp);
+}
+
+void MarkerPublisher::publishTools(const Snapshot& snapshot, const ros::Time& stamp) {
+  double largest = 0;
+  for (const ToolView& tool : *snapshot.tools) largest = std::max(largest, tool.force.norm());
+  const ToolScale scale = {body_size_, force_scale_.at(static_cast<double>(snapshot.step) * time_step_, largest)};
+  tool_publisher_.publish(toMarkers(tool_forms_, *snapshot.tools, scale, frame_, stamp));
 }
 
 void MarkerPublisher::publishContacts(const Snapshot& snapshot, const ros::Time& stamp) {

@@ -1,5 +1,8 @@
 #include "incision/ros/markers.h"
 
+#include <cstdio>
+#include <utility>
+
 #include "capsule_points.h"
 #include "incision/ros/conversions.h"
 #include "plain_marker.h"
@@ -12,11 +15,14 @@ using visualization_msgs::Marker;
 /// Of a plane as it is drawn [m]: as wide as a hall, and thin.
 constexpr double GROUND_WIDTH = 100, GROUND_HEIGHT = 0.001;
 
-/// Of the tool's edge as it is drawn [m].
-constexpr double EDGE_WIDTH = 0.001;
+/// Of the tool's edge as it is drawn, in sizes of the body.
+constexpr double EDGE_WIDTH = 0.005;
 
-/// Of the arrow of a force [m]: the diameters of its shaft and its head, and the head's length.
-const Vec3 ARROW_SIZE(0.003, 0.006, 0.01);
+/// Of the arrow of a force, in sizes of the body: the diameters of its shaft and its head, and the head's length.
+const Vec3 ARROW_SIZE(0.012, 0.024, 0.04);
+
+/// Of the letters that tell a force, in sizes of the body: how high they are, and how far above the arrow's head.
+constexpr double LETTERS = 0.04, ABOVE = 0.04;
 
 /// Of a mesh in a file only the file is told: rviz reads it once, however often the marker comes.
 int typeOf(const Drawing& drawing) {
@@ -80,22 +86,42 @@ visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std:
 
 namespace {
 
+std::string inNewton(double force) {
+  char words[32];
+  std::snprintf(words, sizeof words, force < 100 ? "%.2g N" : "%.0f N", force);
+  return words;
+}
+
+/// The force on a tool whose link stands at `link`, as an arrow, and beside its head how much it is.
+void addForce(const ToolView& view, const Pose& link, const ToolScale& scale, const std::string& frame,
+              const ros::Time& stamp, std::vector<Marker>* markers) {
+  const std_msgs::ColorRGBA orange = colour(0.95F, 0.65F, 0.10F), black = colour(0.10F, 0.10F, 0.12F);
+  const Vec3 head = link.position + scale.force * (link.orientation * view.force);
+  Marker arrow = plainMarker(Marker::ARROW, view.name + "/force", 0, orange, frame, stamp);
+  arrow.scale = toVector3(scale.size * ARROW_SIZE);
+  arrow.points = {toPoint(link.position), toPoint(head)};
+  Marker letters = plainMarker(Marker::TEXT_VIEW_FACING, view.name + "/force in N", 0, black, frame, stamp);
+  letters.scale.z = LETTERS * scale.size;
+  letters.pose.position = toPoint(head + ABOVE * scale.size * Vec3::UnitZ());
+  letters.text = inNewton(view.force.norm());
+  for (Marker* marker : {&arrow, &letters}) {
+    if (view.force.isZero()) marker->action = Marker::DELETE;
+    markers->push_back(std::move(*marker));
+  }
+}
+
 /// Adds what there is of a tool to see; one that is not in place is taken away.
-void addTool(const ToolForm& form, const ToolView& view, const std::string& frame, const ros::Time& stamp,
-             std::vector<Marker>* markers) {
+void addTool(const ToolForm& form, const ToolView& view, const ToolScale& scale, const std::string& frame,
+             const ros::Time& stamp, std::vector<Marker>* markers) {
   const std::size_t first = markers->size();
   const std::vector<Pose>& groups = view.groups;
   const auto groupOf = [&](int group) { return groups.empty() ? Pose() : groups[static_cast<std::size_t>(group)]; };
-  markers->push_back(plainMarker(Marker::ARROW, view.name + "/force", 0, colour(0.95F, 0.65F, 0.10F), frame, stamp));
-  const Vec3 origin = groupOf(0).position, head = origin + FORCE_SCALE * (groupOf(0).orientation * view.force);
-  markers->back().scale = toVector3(ARROW_SIZE);
-  markers->back().points = {toPoint(origin), toPoint(head)};
-  if (view.force.isZero()) markers->back().action = Marker::DELETE;
+  addForce(view, groupOf(0), scale, frame, stamp, markers);
   int id = 0;
   for (const ToolForm::GroupEdge& edge : form.edges) {
     markers->push_back(
         plainMarker(Marker::LINE_LIST, view.name + "/edge", id++, colour(0.10F, 0.10F, 0.12F), frame, stamp));
-    markers->back().scale.x = EDGE_WIDTH;
+    markers->back().scale.x = EDGE_WIDTH * scale.size;
     for (const Vec3& end : placed(edge.edge, groupOf(edge.group))) markers->back().points.push_back(toPoint(end));
   }
   id = 0;
@@ -109,9 +135,9 @@ void addTool(const ToolForm& form, const ToolView& view, const std::string& fram
 }  // namespace
 
 visualization_msgs::MarkerArray toMarkers(const std::vector<ToolForm>& forms, const std::vector<ToolView>& views,
-                                          const std::string& frame, const ros::Time& stamp) {
+                                          const ToolScale& scale, const std::string& frame, const ros::Time& stamp) {
   visualization_msgs::MarkerArray array;
-  for (std::size_t i = 0; i < forms.size(); ++i) addTool(forms[i], views[i], frame, stamp, &array.markers);
+  for (std::size_t i = 0; i < forms.size(); ++i) addTool(forms[i], views[i], scale, frame, stamp, &array.markers);
   return array;
 }
 

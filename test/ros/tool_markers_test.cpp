@@ -24,7 +24,11 @@ ToolForm tool() {
   return form;
 }
 
-std::vector<Marker> draw(const ToolView& view) { return toMarkers({tool()}, {view}, "body", ros::Time()).markers; }
+const ToolScale SCALE = {0.2, 0.02};
+
+std::vector<Marker> draw(const ToolView& view) {
+  return toMarkers({tool()}, {view}, SCALE, "body", ros::Time()).markers;
+}
 
 const Marker& find(const std::vector<Marker>& markers, const std::string& name, int id = 0) {
   const auto found = std::find_if(markers.begin(), markers.end(),
@@ -46,15 +50,16 @@ ToolView turned() {
 
 TEST(ToolMarkers, EdgesShapesAndForceStandWhereTheToolIs) {
   const auto markers = draw(turned());
-  ASSERT_EQ(4u, markers.size());
+  ASSERT_EQ(5u, markers.size());
   const Marker& edge = find(markers, "knife/edge");
   EXPECT_EQ(Marker::LINE_LIST, edge.type);
   EXPECT_NEAR(1.06, edge.points.at(1).x, ROUNDING);
   const Marker& force = find(markers, "knife/force");
   EXPECT_EQ(Marker::ARROW, force.type);
   EXPECT_EQ(Marker::ADD, force.action);
-  EXPECT_NEAR(1 + 5 * FORCE_SCALE, force.points.at(1).x, ROUNDING);
+  EXPECT_NEAR(1 + 5 * SCALE.force, force.points.at(1).x, ROUNDING);
   EXPECT_NEAR(3, force.points.at(1).z, ROUNDING);
+  EXPECT_EQ("5 N", find(markers, "knife/force in N").text);
   for (int shape = 0; shape < 2; ++shape) {
     EXPECT_EQ(Marker::CUBE, find(markers, "knife/shape", shape).type);
     EXPECT_NEAR(1.03, find(markers, "knife/shape", shape).pose.position.x, ROUNDING);
@@ -66,13 +71,14 @@ TEST(ToolMarkers, NoForceIsNoArrow) {
   ToolView view = turned();
   view.force.setZero();
   EXPECT_EQ(Marker::DELETE, find(draw(view), "knife/force").action);
+  EXPECT_EQ(Marker::DELETE, find(draw(view), "knife/force in N").action);
 }
 
 TEST(ToolMarkers, AToolThatIsGoneIsDeletedAndNoOther) {
   ToolView gone = turned(), there = turned();
   gone.groups.clear();
   there.name = "hook";
-  for (const Marker& marker : toMarkers({tool(), tool()}, {gone, there}, "body", ros::Time()).markers)
+  for (const Marker& marker : toMarkers({tool(), tool()}, {gone, there}, SCALE, "body", ros::Time()).markers)
     EXPECT_EQ(marker.ns.find("knife/") == 0 ? Marker::DELETE : Marker::ADD, marker.action) << marker.ns;
 }
 

@@ -15,6 +15,7 @@
 #include "incision/pace/wakeup.h"
 #include "incision/ros/body_markers.h"
 #include "incision/ros/contacts_message.h"
+#include "incision/ros/force_scale.h"
 #include "incision/ros/markers.h"
 #include "incision/ros/parameters.h"
 
@@ -73,6 +74,7 @@ class MarkerPublisher {
   void publish(const Snapshot& snapshot);
   std::vector<double> findStress(const Snapshot& snapshot);
   void publishContacts(const Snapshot& snapshot, const ros::Time& stamp);
+  void publishTools(const Snapshot& snapshot, const ros::Time& stamp);
   void publishBody(const Snapshot& snapshot, const ros::Time& stamp);
   void run();
   std::optional<Snapshot> take();
@@ -82,6 +84,7 @@ class MarkerPublisher {
   const Materials materials_;
   const Obstacles obstacles_;
   const ContactNames contact_names_;
+  const double body_size_, time_step_;  // [m], [s]
   std::vector<ToolForm> tool_forms_;
   ros::NodeHandle node_;
   MarkerField field_ = MarkerField::NONE;
@@ -94,7 +97,8 @@ class MarkerPublisher {
   mutable std::mutex mutex_;
   std::optional<Snapshot> latest_;
   std::vector<RegionStress> region_stress_;
-  std::unique_ptr<StressView> stress_;  // the thread's own
+  std::unique_ptr<StressView> stress_;  // this and the next are the thread's own
+  ForceScale force_scale_;
   std::atomic<bool> stopping_ = false;
   Wakeup wakeup_;
   std::thread thread_;

@@ -14,8 +14,11 @@ namespace incision {
 visualization_msgs::MarkerArray toMarkers(const Obstacles& obstacles, const std::vector<Pose>& links,
                                           const std::string& frame, const ros::Time& stamp);
 
-/// How long the arrow of a force is [m/N]: those of blades in soft tissue, up to some 10 N, fit the view.
-inline constexpr double FORCE_SCALE = 0.02;
+/// How large what is drawn of tools is, beside their shapes.
+struct ToolScale {
+  double size;   ///< of the body [m], to which widths and letters go
+  double force;  ///< length of the arrow of a force [m/N]
+};
 
 /// Where a tool is, and what the tissue does to it.
 struct ToolView {
@@ -24,9 +27,9 @@ struct ToolView {
   Vec3 force = Vec3::Zero();  ///< of the tissue on the tool, in the frame of its link [N]
 };
 
-/// Tools: their shapes, their edges as lines, and the forces on them as arrows from the links' origins. Those of a tool
-/// that is not in place are deleted.
+/// Tools: their shapes, their edges as lines, and the forces on them as arrows from the links' origins, with how many N
+/// they are. Those of a tool that is not in place are deleted.
 visualization_msgs::MarkerArray toMarkers(const std::vector<ToolForm>& forms, const std::vector<ToolView>& views,
-                                          const std::string& frame, const ros::Time& stamp);
+                                          const ToolScale& scale, const std::string& frame, const ros::Time& stamp);
 
 }  // namespace incision
