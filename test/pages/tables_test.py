@@ -50,16 +50,6 @@ class WithoutRos(sessions.Commands):
         super().setUp()
         (self.session.folder / 'scene.yaml').write_text(SCENE, encoding='utf-8')
 
-    def test_options_of_the_batch_program(self):
-        shown = set(re.findall(r'^  (--[a-z-]+)', self.session.run('incision_batch --help'), re.MULTILINE))
-        listed = {name.split()[0] for name in first_column('launch/README.md', '| option | default | meaning |')}
-        self.assertEqual(shown, listed)
-
-    def test_keys_of_the_json(self):
-        result = sessions.last_json(self.session.run('incision_batch scene.yaml --steps 2'))
-        listed = first_column('launch/README.md', '| JSON key | unit | meaning |')
-        self.assertEqual(set(), set(result) - listed)
-
     def test_columns_of_the_record(self):
         self.session.run('incision_batch scene.yaml --steps 2 --record run.csv')
         with open(self.session.folder / 'run.csv', encoding='utf-8') as record:
