@@ -1,5 +1,6 @@
 """Hands a study's runs to GNU parallel, here or over ssh, or to Slurm: chunks of command lines, see run_chunk."""
 
+import contextlib
 import ctypes
 import os
 import pathlib
@@ -19,9 +20,7 @@ MAX_CHUNK = 20
 # Towards the end chunks are as small as a share of what is left, so that no worker is long alone.
 CHUNKS_LEFT = 4
 
-# A step under way may end before it is killed [ms].
-TERM_SEQUENCE = 'TERM,10000,KILL'
-# So may a run over its time limit [s].
+# How long a run may take to end when it is told to [s].
 KILL_AFTER = 10
 
 # What a run elsewhere needs of the environment here: the libraries, and where packages are.
@@ -94,14 +93,14 @@ def start_parallel(folder, chunks, jobs, hosts, kept_open):
     """`kept_open`: file descriptors that stay open as long as any run here goes on."""
     folder = pathlib.Path(folder)
     command = [find_parallel(), '--plain', '--will-cite', '--jobs', str(jobs) if jobs else '100%',
-               '--termseq', TERM_SEQUENCE, '--joblog', str(folder / chunks[0]) + '.joblog', '--halt', 'soon,fail=1']
+               '--joblog', str(folder / chunks[0]) + '.joblog', '--halt', 'soon,fail=1']
     script = './run_chunk'
     if hosts:
         if any(c in str(folder) for c in '{}'):
             raise InputError(f'{folder}: has braces, which GNU parallel would replace')
         command += ['--sshlogin', hosts]
         script = shlex.quote(str(folder / 'run_chunk'))
-    environment = {**os.environ, 'PARALLEL_SHELL': '/bin/sh'}
+    environment = {**os.environ, 'PARALLEL_SHELL': '/bin/sh', 'INCISION_STUDY': str(os.getpid())}
     environment.pop('PARALLEL', None)  # options of the user's own
     return subprocess.Popen([*command, 'sh', script, '{}', ':::', *chunks], cwd=folder, env=environment,
                             stdin=subprocess.DEVNULL, start_new_session=True, pass_fds=kept_open,
@@ -136,15 +135,35 @@ class Progress:
             print('\r\033[K', end='', file=sys.stderr, flush=True)
 
 
+def session_of(process):
+    """What else is alive in the session that a process leads, by process ids."""
+    for path in pathlib.Path('/proc').glob('[0-9]*/stat'):
+        try:
+            state, _, _, session = path.read_text(errors='replace').rpartition(')')[2].split()[:4]
+        except (OSError, ValueError):
+            continue  # it has ended by now
+        if int(session) == process.pid and state not in 'ZX' and path.parent.name != str(process.pid):
+            yield int(path.parent.name)
+
+
 def wait_for(process, last, progress, asked_to_end):
     """Waits for parallel and all that it has started, and ends it where `asked_to_end()`. `last`: a pipe that is closed
     when all that is here has ended. Returns parallel's exit status."""
-    told = False
+    kill_at = None
     while not select.select([last], [], [], 0.1)[0]:
         progress.show()
-        if asked_to_end() and not told:
+        if asked_to_end() and kill_at is None:
+            kill_at = time.monotonic() + KILL_AFTER
             process.terminate()
-            told = True
+        elif kill_at is not None:
+            # What parallel has just started when it was told to end it leaves alone, and of what has ended it may wait
+            # for news.
+            others = list(session_of(process))
+            for pid in others:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGTERM if time.monotonic() < kill_at else signal.SIGKILL)
+            if not others:
+                process.kill()
     return process.wait()
 
 

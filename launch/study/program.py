@@ -135,7 +135,7 @@ def run_here(folder, study, pending, program, arguments, descriptor):
     status = engine.wait_for(process, last, progress, lambda: bool(ended_by))
     os.close(last)
     progress.clear()
-    if status not in (0, -signal.SIGTERM) and not ended_by:
+    if status != 0 and not ended_by:
         say(f'GNU parallel has ended with exit status {status}')
     return ended_by[0] if ended_by else None
 
@@ -170,8 +170,9 @@ def run_study(arguments, study, folder, runs, program, descriptor):
 def work(arguments):
     study = read_study(arguments.study)
     folder = pathlib.Path(arguments.out or pathlib.Path(arguments.study).stem).absolute()
-    if not str(folder).isprintable() or not str(study.scene).isprintable():
-        raise InputError(f'{str(folder)!r}: cannot be used (allowed: a path of printable characters)')
+    for path in (folder, study.scene, study.path.absolute()):
+        if not str(path).isprintable():
+            raise InputError(f'{str(path)!r}: cannot be used (allowed: a path of printable characters)')
     runs = runs_of(study)
     if arguments.collect or arguments.plot:
         make_folder(folder)

@@ -1,4 +1,4 @@
-"""A bar of a known Young's modulus that is pressed, as the program measures it, and the study that it is held against."""
+"""A bar of a known Young's modulus that is pressed, as the program measures it, and the study to hold it against."""
 
 import csv
 import importlib.machinery

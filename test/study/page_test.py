@@ -31,8 +31,8 @@ def column(heading, cell=0):
 class Page(FitCase):
     def setUp(self):
         super().setUp()
-        self.blocks = {language: [block.text for block in pages.blocks(PAGE, TEXT) if block.language == language]
-                       for language in ('sh', 'yaml')}
+        self.commands = [block.text for block in pages.command_lines(PAGE, TEXT)]
+        self.example, = [block.text for block in pages.blocks(PAGE, TEXT) if block.language == 'yaml']
 
     def shell(self, lines):
         """Runs command lines of the page with this build's programs and this source's files."""
@@ -45,13 +45,14 @@ class Page(FitCase):
         for name, body in (('rosrun', 'shift; exec "$@"'), ('rospack', f'echo {SOURCE}'), ('sbatch', 'test -f "$2"')):
             (programs / name).write_text(f'#!/bin/sh\n{body}\n')
             (programs / name).chmod(0o755)
-        done = subprocess.run(['sh', '-e', '-c', lines], cwd=self.folder, check=False, text=True, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, env={**os.environ, 'PATH': f'{programs}:{os.environ["PATH"]}'})
+        environment = {**os.environ, 'PATH': f'{programs}:{os.environ["PATH"]}'}
+        done = subprocess.run(['sh', '-e', '-c', lines], cwd=self.folder, env=environment, check=False, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.assertEqual(done.returncode, 0, done.stdout)
         return done.stdout
 
     def test_its_command_lines_run(self):
-        run, plot, slurm, fit = self.blocks['sh']
+        run, plot, slurm, fit, gather = self.commands
         self.assertIn('100 of 100 runs are done', self.shell(run))
         with open(self.folder / 'bar_study/study.csv', newline='', encoding='utf-8') as file:
             row = next(csv.DictReader(file))
@@ -60,10 +61,11 @@ class Page(FitCase):
             self.assertIn(name, row)
         self.assertFalse(set(LEFT_OUT) & set(row))
         self.assertTrue(pathlib.Path(self.shell(plot).splitlines()[0]).is_file())
-        self.write(self.blocks['yaml'][0])
+        self.write(self.example)
         said = self.shell(slurm)
         self.assertIn('12 runs in 12 tasks: sbatch ', said)
         self.assertIn('--array=1-12%50\n', (self.folder / 'study/study.sbatch').read_text())
+        self.assertIn('12 are still to be run', self.shell(gather + ' || [ $? = 1 ]'))
         x, force = self.measure()
         self.write_curve(x, force)
         said = self.shell(fit)
@@ -71,7 +73,7 @@ class Page(FitCase):
         self.assertTrue((self.folder / 'fit.png').is_file())
 
     def test_its_study_is_as_many_runs_as_it_says(self):
-        study = study_file.read_study(self.write(self.blocks['yaml'][0]))
+        study = study_file.read_study(self.write(self.example))
         self.assertIn(f'These are {len(runs_of(study))} runs.', TEXT)
 
     def test_its_tables_have_every_key_and_option(self):

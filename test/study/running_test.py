@@ -37,16 +37,20 @@ class Running(StudyCase):
     def ended(self):
         return len(list((self.out / 'runs').glob('*.json')))
 
-    def slow_batch(self):
-        """Each run takes a twentieth of a second more."""
-        return self.fake_batch('sleep 0.05\nexec "$REAL" "$@"')
+    def stuck_batch(self, count):
+        """Once there are so many results, runs go on until they are told to end."""
+        runs = shlex.quote(str(self.out / 'runs'))
+        return self.fake_batch(f"""
+case "$*" in *--steps\\ 0*) exit 0 ;; esac
+[ "$(ls {runs} | grep -c 'json$')" -lt {count} ] || exec sleep 1000
+exec "$REAL" "$@"
+""")
 
     def test_a_study_that_has_been_interrupted_goes_on_where_it_was(self):
         study = self.write(MANY)
-        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
-            before = self.ended()
-            process = self.start(study, batch=self.slow_batch())
-            self.wait_until(lambda: self.ended() >= before + 3)
+        for number, status, count in ((signal.SIGINT, 130, 3), (signal.SIGTERM, 143, 8)):
+            process = self.start(study, batch=self.stuck_batch(count))
+            self.wait_until(lambda: self.ended() >= count)
             process.send_signal(number)
             _, err = process.communicate(timeout=30)
             self.assertEqual(process.returncode, status, err)
@@ -63,7 +67,7 @@ class Running(StudyCase):
 
     def test_a_study_that_was_killed_takes_its_runs_along_and_goes_on(self):
         study = self.write(MANY)
-        process = self.start(study, batch=self.slow_batch())
+        process = self.start(study, batch=self.stuck_batch(3))
         self.wait_until(lambda: self.ended() >= 3)
         process.kill()
         process.wait()
@@ -92,7 +96,7 @@ class Running(StudyCase):
 
     def test_two_studies_at_once_in_one_folder_are_refused(self):
         study = self.write(MANY)
-        process = self.start(study, batch=self.slow_batch())
+        process = self.start(study, batch=self.stuck_batch(1))
         self.wait_until(lambda: self.ended() >= 1)
         self.assertIn('at work here', self.study(study, status=2)[1])
         self.assertIn('at work here', self.study(self.write(FEW, 'few.yaml'), '--slurm', status=2)[1])
@@ -144,8 +148,10 @@ exec "$REAL" "$@"''')
         self.assertEqual(len(self.table()), 20)
 
     def test_runs_that_cannot_be_kept_end_the_study(self):
-        batch = self.fake_batch(f'case "$*" in *--steps\\ 0*) ;; *) chmod a-w . && rm -rf {shlex.quote(str(self.out))}/runs ;; '
-                                'esac\nexec "$REAL" "$@"')
+        batch = self.fake_batch(f"""
+case "$*" in *--steps\\ 0*) ;; *) rm -rf {shlex.quote(str(self.out))}/runs ;; esac
+exec "$REAL" "$@"
+""")
         _, err = self.study(self.write(MANY), '--jobs', '1', status=1, batch=batch)
         self.assertIn('0 of 20 runs are done, 20 are still to be run', err)
 

@@ -45,7 +45,8 @@ class Ssh(StudyCase):
         server = subprocess.Popen([SSHD, '-D', '-f', folder / 'config', '-E', folder / 'log'])
         self.addCleanup(server.wait)
         self.addCleanup(server.terminate)
-        login = f'ssh -F none -p {port} -i {folder}/user -o StrictHostKeyChecking=no -o UserKnownHostsFile={folder}/known 127.0.0.1'
+        login = (f'ssh -F none -p {port} -i {folder}/user -o StrictHostKeyChecking=no '
+                 f'-o UserKnownHostsFile={folder}/known 127.0.0.1')
         deadline = time.monotonic() + 30
         while subprocess.run([*login.split(), 'true'], check=False, stderr=subprocess.DEVNULL).returncode != 0:
             self.assertLess(time.monotonic(), deadline, (folder / 'log').read_text())
@@ -58,7 +59,10 @@ class Ssh(StudyCase):
         shutil.move(self.folder, plain)
         self.folder, self.out = plain, plain / 'out'
         study = self.write('scene: scene.yaml\nsteps: 3\nvary: {gravity.2: [-1, -2, -3, -4]}\n')
-        batch = self.fake_batch('case "$*" in *--steps\\ 0*) ;; *) [ "$SSH_CONNECTION" ] || exit 9 ;; esac\nexec "$REAL" "$@"')
+        batch = self.fake_batch("""
+case "$*" in *--steps\\ 0*) ;; *) [ "$SSH_CONNECTION" ] || exit 9 ;; esac
+exec "$REAL" "$@"
+""")
         self.study(study, '--sshlogin', login, batch=batch)
         self.assertEqual([row['status'] for row in self.table()], ['done'] * 4)
 

@@ -11,7 +11,8 @@ BEGIN = 'scene: scene.yaml\n'
 class StudyFile(StudyCase):
     def test_unknown_keys_are_told_with_a_guess(self):
         self.refused(BEGIN + 'step: 3', 'study.yaml: step: unknown key (did you mean steps?) (allowed: scene, steps,')
-        self.refused(BEGIN + 'vary: {a.b: {rnge: [1, 2], count: 3}}', 'vary.a.b.rnge: unknown key (did you mean range?)')
+        self.refused(BEGIN + 'vary: {a.b: {rnge: [1, 2], count: 3}}',
+                     'vary.a.b.rnge: unknown key (did you mean range?)')
 
     def test_what_is_no_study(self):
         for text in ('', '[1, 2]', '3', 'scene'):
@@ -41,13 +42,16 @@ class StudyFile(StudyCase):
         for text, part in (('3', 'what does not vary goes under set'), ('[]', 'at least one value'),
                            ('{}', 'has no kind'), ('{range: [1, 2], uniform: [1, 2]}', 'range and uniform'),
                            ('{range: [1, 2]}', 'count: None'), ('{range: [1, 2], count: 0}', 'count: 0'),
-                           ('{range: [1, 2], count: 1.5}', 'count: 1.5'), ('{range: [1], count: 2}', 'two finite numbers'),
+                           ('{range: [1, 2], count: 1.5}', 'count: 1.5'),
+                           ('{range: [1], count: 2}', 'two finite numbers'),
                            ('{range: [.nan, 1], count: 2}', 'two finite numbers'),
                            ('{range: [1, .inf], count: 2}', 'two finite numbers'),
                            ('{range: 3, count: 2}', 'two finite numbers'),
                            ('{log_range: [0, 1], count: 2}', 'numbers above 0'),
-                           ('{log_uniform: [-1, 1]}', 'numbers above 0'), ('{normal: [0, -1]}', 'deviation of 0 or more'),
-                           ('{uniform: [0, 1], seed: -1}', 'seed: -1'), ('{uniform: [0, 1], count: 3}', 'count: unknown key'),
+                           ('{log_uniform: [-1, 1]}', 'numbers above 0'),
+                           ('{normal: [0, -1]}', 'deviation of 0 or more'),
+                           ('{uniform: [0, 1], seed: -1}', 'seed: -1'),
+                           ('{uniform: [0, 1], count: 3}', 'count: unknown key'),
                            ('{range: [0, 1], count: 3, seed: 1}', 'seed: unknown key')):
             self.refused(f'{BEGIN}vary: {{gravity: {text}}}', 'study.yaml: vary.gravity', part)
         self.refused(BEGIN + 'vary: [a]', 'vary: ')

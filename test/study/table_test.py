@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The table has a row for each run that has come to an end, with what varied and what it said; pictures take any columns."""
+"""The table has a row for each run that has come to an end, with what varied and what it said; pictures take any
+columns."""
 
 import unittest
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What a study's keys take: ranges end where they say, draws follow their laws, and each value reaches the scene whole."""
+"""What a study's keys take: ranges end where they say, draws follow their laws, and each value reaches the
+scene whole."""
 
 import json
 import math
@@ -68,8 +69,9 @@ class Values(StudyCase):
         self.assertFalse(set(small) & set(names('vary: {solver.time_step: [0.1, 0.2]}')))
 
     def test_values_are_read_back_as_they_were(self):
-        for value in (1, -3, 0.1, 1e-300, 1e22, math.inf, -math.inf, True, False, None, '1e6', 'true', 'no', 'a b', "it's",
-                      'x: y', '[1', '', '~', '# c', 'direct', 'package://incision/a.msh', 'ünïcode', 'line\nbreak', '-',
+        for value in (1, -3, 0.1, 1e-300, 1e22, math.inf, -math.inf, True, False, None, '1e6', 'true', 'no', 'a b',
+                      "it's", 'x: y', '[1', '', '~', '# c', 'direct', 'package://incision/a.msh', 'ünïcode', 'line\nbreak',
+                      '-',
                       [0, 0, -9.81], [[1, 2], [3, 4]], {'box': [[0, 0, 0], [1, 1, 1]], 'frame': 'a b'}, [], {}):
             self.assertEqual(yaml.safe_load(as_yaml(value)), value)
             self.assertNotIn('\n', as_yaml(value))
