@@ -58,15 +58,44 @@ std::vector<Marker> lists(const BodyView& view, const std::string& frame, const 
   return markers;
 }
 
+/// Points of the triangles that are drawn for one of the surface, three for each.
+class Corners {
+ public:
+  explicit Corners(const BodyView& view) : view_(view) {
+    if (view.rounding) middles_ = view.rounding->middles(*view.surface, view.x);
+  }
+
+  std::size_t perTriangle() const { return view_.rounding ? 12 : 3; }
+
+  template <class Add>
+  void forEach(std::size_t triangle, const Add& add) const {
+    const auto [a, b, c] = view_.surface->triangles[triangle];
+    const auto at = [this](int vertex) -> const Vec3& { return view_.x[static_cast<std::size_t>(vertex)]; };
+    if (!view_.rounding) {
+      for (const int vertex : {a, b, c}) add(at(vertex));
+      return;
+    }
+    const auto [ab, bc, ca] = view_.rounding->sides()[triangle];
+    const auto on = [this](int side) -> const Vec3& { return middles_[static_cast<std::size_t>(side)]; };
+    for (const Vec3* corner :
+         {&at(a), &on(ab), &on(ca), &on(ab), &at(b), &on(bc), &on(ca), &on(bc), &at(c), &on(ab), &on(bc), &on(ca)})
+      add(*corner);
+  }
+
+ private:
+  const BodyView& view_;
+  std::vector<Vec3> middles_;
+};
+
 void addTriangles(const BodyView& view, std::vector<Marker>* markers) {
   const double shown = view.field == MarkerField::STRESS ? shownStress(view.von_mises) : 1;
+  const Corners corners(view);
   for (std::size_t t = 0; t < view.surface->triangles.size(); ++t) {
     const int region = view.field == MarkerField::REGION ? view.regions[t] : 0;
     Marker& marker = (*markers)[static_cast<std::size_t>(2 * region + (view.surface->cut_face[t] ? 1 : 0))];
-    for (const int vertex : view.surface->triangles[t]) {
-      marker.points.push_back(toPoint(view.x[static_cast<std::size_t>(vertex)]));
-      if (view.field == MarkerField::STRESS) marker.colors.push_back(colourOf(view.von_mises[t] / shown));
-    }
+    corners.forEach(t, [&](const Vec3& corner) { marker.points.push_back(toPoint(corner)); });
+    if (view.field == MarkerField::STRESS)
+      marker.colors.insert(marker.colors.end(), corners.perTriangle(), colourOf(view.von_mises[t] / shown));
   }
 }
 

@@ -30,6 +30,11 @@ std::vector<double> ofTriangles(const Surface& surface, const std::vector<double
 MarkerPublisher::Topology::Topology(const DeformableBody& body) : surface(body.surface()), held(body.heldCopies()) {
   for (int part : surface.part)
     regions.push_back(body.materials().regions().of(body.mesh().parts()[static_cast<std::size_t>(part)].element));
+  if (surface.triangles.size() > ROUNDED_UP_TO) return;
+  std::vector<Vec3> copies;
+  for (int c = 0; c < body.mesh().numCopies(); ++c)
+    copies.push_back(body.mesh().mesh().nodes[static_cast<std::size_t>(body.mesh().copyNode(c))]);
+  rest = surfacePositions(surface, copies);
 }
 
 MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body)
@@ -163,6 +168,14 @@ std::vector<double> MarkerPublisher::findStress(const Snapshot& snapshot) {
   return ofTriangles(topology.surface, of_parts);
 }
 
+/// Null where it is not rounded.
+const Rounding* MarkerPublisher::roundingOf(const std::shared_ptr<Topology>& topology) {
+  if (topology->rest.empty()) return nullptr;
+  if (rounded_ != topology) rounding_ = std::make_unique<Rounding>(topology->surface, topology->rest);
+  rounded_ = topology;
+  return rounding_.get();
+}
+
 void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& stamp) {
   const Topology& topology = *snapshot.topology;
   std::vector<double> of_triangles;
@@ -174,6 +187,7 @@ void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& sta
   BodyView view;
   view.surface = &topology.surface;
   view.x = x;
+  view.rounding = roundingOf(snapshot.topology);
   view.field = snapshot.field;
   view.num_regions = materials_.regions().count();
   view.regions = topology.regions;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+
 #include "incision/cut/cut_mesh.h"
 #include "incision/mesh/grid_mesh.h"
 
@@ -50,6 +53,24 @@ TEST(BodyMarkers, OfStressHaveAColourForEachPoint) {
   EXPECT_GT(markers[0].colors.back().r, markers[0].colors.back().b);    // the most
   for (const auto& colour : markers[0].colors)
     for (float value : {colour.r, colour.g, colour.b}) EXPECT_TRUE(value >= 0 && value <= 1);
+}
+
+TEST(BodyMarkers, OfARoundedSurfaceAreFourTrianglesForEachAndClosed) {
+  Cube cube(MarkerField::STRESS);
+  for (Vec3& x : cube.view.x) x *= (x - Vec3::Constant(0.5)).norm();
+  const Rounding rounding(cube.surface, cube.view.x);
+  cube.view.rounding = &rounding;
+  const std::vector<Marker> markers = cube.draw();
+  ASSERT_EQ(markers[0].points.size(), 12 * cube.surface.triangles.size());
+  EXPECT_EQ(markers[0].colors.size(), markers[0].points.size());
+  std::map<std::array<double, 6>, int> runs;  // of each side, one way less the other way
+  for (std::size_t t = 0; t < markers[0].points.size(); t += 3)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = markers[0].points[t + i], &b = markers[0].points[t + (i + 1) % 3];
+      ++runs[{a.x, a.y, a.z, b.x, b.y, b.z}];
+      --runs[{b.x, b.y, b.z, a.x, a.y, a.z}];
+    }
+  for (const auto& [side, balance] : runs) EXPECT_EQ(balance, 0);
 }
 
 TEST(BodyMarkers, LinesOfLoadsEndWhereTheyAct) {

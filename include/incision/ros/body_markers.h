@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "incision/surface/rounding.h"
 #include "incision/surface/surface.h"
 
 namespace incision {
@@ -16,6 +17,8 @@ enum class MarkerField { NONE, REGION, STRESS };
 struct BodyView {
   const Surface* surface;
   std::vector<Vec3> x;  ///< of the surface's vertices [m]
+  /// With it each triangle is drawn as four, with a point on each of its sides.
+  const Rounding* rounding = nullptr;
   MarkerField field = MarkerField::NONE;
   int num_regions = 1;
   std::vector<int> regions;                  ///< of every triangle, where the field is REGION
@@ -24,6 +27,9 @@ struct BodyView {
   std::vector<std::pair<Vec3, Vec3>> loads;  ///< where loads act [m], and their forces [N]
   double element_size = 1;                   ///< the mean [m]
 };
+
+/// Of a surface of more triangles than this nobody sees the facets, and four for each would be some MB a message.
+inline constexpr std::size_t ROUNDED_UP_TO = 10'000;
 
 /// The surface as lists of triangles, the skin and the cut faces, of the same points as long as the topology does not
 /// change; with the regions as colours, such a pair for each of them. Only stress has a colour for each point: rviz

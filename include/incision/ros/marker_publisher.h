@@ -51,6 +51,7 @@ class MarkerPublisher {
     const Surface surface;
     const std::vector<int> held;  // copies
     std::vector<int> regions;     // of each triangle
+    std::vector<Vec3> rest;       // where the vertices are then [m]; none of a surface that is not rounded
     /// A copy of the mesh, made only for those who want stress: it is the largest thing here.
     std::shared_ptr<const CutMesh> mesh;
   };
@@ -72,6 +73,7 @@ class MarkerPublisher {
   void addBody(const DeformableBody& body, Snapshot* snapshot);
   std::vector<ToolView> toolViews(const DeformableBody& body, const StepResult& last_step) const;
   void publish(const Snapshot& snapshot);
+  const Rounding* roundingOf(const std::shared_ptr<Topology>& topology);
   std::vector<double> findStress(const Snapshot& snapshot);
   void publishContacts(const Snapshot& snapshot, const ros::Time& stamp);
   void publishTools(const Snapshot& snapshot, const ros::Time& stamp);
@@ -97,7 +99,9 @@ class MarkerPublisher {
   mutable std::mutex mutex_;
   std::optional<Snapshot> latest_;
   std::vector<RegionStress> region_stress_;
-  std::unique_ptr<StressView> stress_;  // this and the next are the thread's own
+  std::unique_ptr<StressView> stress_;  // this and all to the force's scale are the thread's own
+  std::shared_ptr<Topology> rounded_;   // of which is
+  std::unique_ptr<Rounding> rounding_;
   ForceScale force_scale_;
   std::atomic<bool> stopping_ = false;
   Wakeup wakeup_;
