@@ -3,13 +3,15 @@
 namespace incision {
 
 BodyDoor::BodyDoor(CutMesh* mesh, Motion* motion, ImplicitStep* step, BackwardDifference* last_steps,
-                   std::optional<CrackGrowth>* growth, Couplers* couplers, CurrentSurface* surface)
+                   std::optional<CrackGrowth>* growth, Couplers* couplers, NearParts* near_parts,
+                   CurrentSurface* surface)
     : mesh_(mesh),
       motion_(motion),
       step_(step),
       last_steps_(last_steps),
       growth_(growth),
       couplers_(couplers),
+      near_parts_(near_parts),
       surface_(surface) {}
 
 /// New copies start where their parent is, and move as it does.
@@ -32,6 +34,7 @@ void BodyDoor::finish() {
 }
 
 void BodyDoor::meshReplaced() {
+  near_parts_->forget();
   step_->reset();
   couplers_->changed(*mesh_);
   tellAll();

@@ -9,6 +9,7 @@
 #include "incision/solver/couplers.h"
 #include "incision/solver/implicit_step.h"
 #include "incision/surface/current_surface.h"
+#include "incision/tool/near_parts.h"
 
 namespace incision {
 
@@ -18,7 +19,7 @@ class BodyDoor : public MeshDoor {
  public:
   /// Those who depend on the mesh; all must outlive this.
   BodyDoor(CutMesh* mesh, Motion* motion, ImplicitStep* step, BackwardDifference* last_steps,
-           std::optional<CrackGrowth>* growth, Couplers* couplers, CurrentSurface* surface);
+           std::optional<CrackGrowth>* growth, Couplers* couplers, NearParts* near_parts, CurrentSurface* surface);
 
   const CutMesh& mesh() const override { return *mesh_; }
   Insertion insert(const CrackField& crack) override;
@@ -38,6 +39,7 @@ class BodyDoor : public MeshDoor {
   BackwardDifference* last_steps_;
   std::optional<CrackGrowth>* growth_;
   Couplers* couplers_;
+  NearParts* near_parts_;
   CurrentSurface* surface_;
   std::vector<int> touched_;  // nodes, since the last finish
   bool is_changed_ = false;

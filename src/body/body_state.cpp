@@ -68,7 +68,8 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
       obstacle_motions(obstacles),
       clamp_motions(scene.boundary),
       skin(surface, materials, s.solver.threads),
-      door(&mesh, &motion, &step, &last_steps, &growth, &couplers, &surface) {
+      near_parts(mesh, materials.meanSize()),
+      door(&mesh, &motion, &step, &last_steps, &growth, &couplers, &near_parts, &surface) {
   if (scene.fracture) growth.emplace(*scene.fracture);
   makeTools(descriptions);
   makeCouplers();
@@ -82,7 +83,8 @@ void DeformableBody::State::makeTools(const Descriptions& descriptions) {
   ties.emplace(materials);
   for (std::size_t i = 0; i < scene.tools.size(); ++i) {
     const std::string urdf = i < descriptions.tools.size() ? descriptions.tools[i] : "";
-    tools.push_back(makeTool(scene.tools[i], urdf, {mesh, materials, *ties, scene.contact ? &skin : nullptr}));
+    tools.push_back(
+        makeTool(scene.tools[i], urdf, {mesh, materials, *ties, near_parts, scene.contact ? &skin : nullptr}));
   }
 }
 

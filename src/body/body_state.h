@@ -13,6 +13,7 @@
 #include "incision/contact/body_contact.h"
 #include "incision/fracture/cohesion.h"
 #include "incision/tool/blade/ties.h"
+#include "incision/tool/near_parts.h"
 #include "incision/tool/tool.h"
 #include "obstacle_motions.h"
 
@@ -118,7 +119,8 @@ struct DeformableBody::State {
   ClampMotions clamp_motions;
   ContactSkin skin;
   std::optional<CrackGrowth> growth;  // where the scene lets the body break
-  std::optional<Ties> ties;           // of what tools' edges have not swept yet, where there are tools
+  NearParts near_parts;
+  std::optional<Ties> ties;  // of what tools' edges have not swept yet, where there are tools
   std::vector<std::unique_ptr<Tool>> tools;
   std::vector<std::unique_ptr<Coupler>> own_couplers;  // those that are not a tool's
   BodyContact* body_contact = nullptr;                 // where the scene has contact

@@ -6,6 +6,7 @@
 
 #include "incision/rigid/description.h"
 #include "incision/tool/blade/ties.h"
+#include "incision/tool/near_parts.h"
 #include "incision/tool/tool.h"
 
 namespace incision {
@@ -17,6 +18,7 @@ struct ToolSurroundings {
   const CutMesh& mesh;
   const Materials& materials;
   Ties& ties;         ///< of what edges have not swept yet, one for all tools of a body
+  NearParts& near;    ///< finds what edges come by, likewise
   ContactSkin* skin;  ///< null: nothing touches
 };
 

@@ -36,7 +36,7 @@ Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vecto
 }  // namespace
 
 CuttingEdge::CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
-                         const Materials& materials, const CutMesh& mesh)
+                         NearParts* near, const Materials& materials, const CutMesh& mesh)
     : cutting_forces_(materials.regions().values(edge.cutting_force, &RegionSettings::cutting_force)),
       friction_(edge.friction),
       group_(edge.group),
@@ -44,6 +44,7 @@ CuttingEdge::CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& t
       tool_(tool),
       ties_(ties),
       stroke_(stroke),
+      near_parts_(near),
       materials_(materials),
       size_(materials.meanSize()),
       skin_(mesh.mesh(), mesh.topology()),
@@ -101,9 +102,8 @@ void CuttingEdge::findNear(const Edge& edge, const StepStart& start) {
   reach = {reach.min().array() - LEAD * size_, reach.max().array() + LEAD * size_};
   near_.clear();
   const std::vector<Part>& parts = start.mesh.parts();
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    if (reach.intersects(boxOf(parts[p], start.motion.x)))
-      near_.push_back({static_cast<int>(p), {parts[p], start.motion.x}});
+  for (const int p : near_parts_->find(reach, 0, start.motion.x))
+    if (reach.intersects(boxOf(parts[p], start.motion.x))) near_.push_back({p, {parts[p], start.motion.x}});
 }
 
 /// Finds what resists at the station, or a little before it.

@@ -61,7 +61,7 @@ bool Stroke::record(const Stand& last, const Edge& to, const std::vector<Vec3>& 
   for (const Edge& edge : {last.edge, to})
     for (const Vec3& end : edge) reach.extend(end);
   bool near = false, moved = false;
-  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+  for (const int p : near_->find(reach, FREEING_MARGIN, x, last.x)) {
     const Part& part = mesh.parts()[p];
     const Eigen::AlignedBox3d box = boxOf(part, x).merged(boxOf(part, last.x));
     const auto meets = [&](double margin) {
@@ -72,7 +72,7 @@ bool Stroke::record(const Stand& last, const Edge& to, const std::vector<Vec3>& 
     const PartFrame was(part, last.x), is(part, x);
     if (!was.invertible() || !is.invertible()) continue;
     Passed passed;
-    passed.part = static_cast<int>(p);
+    passed.part = p;
     passed.corners = {was.toElement(last.edge[0]), was.toElement(last.edge[1]), is.toElement(to[1]),
                       is.toElement(to[0])};
     if (outside(passed.corners, FREEING_MARGIN)) continue;

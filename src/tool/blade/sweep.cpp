@@ -113,10 +113,12 @@ double shortestEdge(const Part& part, const CutMesh& mesh) {
   return shortest;
 }
 
-bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh) {
+bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh, NearParts* near) {
   Eigen::AlignedBox3d reach(edge[0]);
   reach.extend(edge[1]);
-  return std::any_of(mesh.parts().begin(), mesh.parts().end(), [&](const Part& part) {
+  const std::vector<int>& parts = near->find(reach, 0, x);
+  return std::any_of(parts.begin(), parts.end(), [&](int p) {
+    const Part& part = mesh.parts()[p];
     if (!reach.intersects(boxOf(part, x))) return false;
     const PartFrame frame(part, x);
     if (!frame.invertible()) return false;

@@ -25,9 +25,15 @@ const std::vector<Vec3>& positionsBefore(double rest, const Motion& motion, std:
 }  // namespace
 
 WorkingEdges::WorkingEdges(std::string label, const std::vector<EdgeOfTool>& edges, bool progressive, ToolInStep* tool,
-                           Ties* ties, const Materials& materials, const CutMesh& mesh)
-    : label_(std::move(label)), edges_(edges), tool_(tool), materials_(materials), ties_(*ties), stroke_(progressive) {
-  for (const EdgeOfTool& edge : edges_) resistances_.emplace_back(edge, tool, *ties, stroke_, materials, mesh);
+                           Ties* ties, NearParts* near, const Materials& materials, const CutMesh& mesh)
+    : label_(std::move(label)),
+      edges_(edges),
+      tool_(tool),
+      materials_(materials),
+      ties_(*ties),
+      near_(*near),
+      stroke_(progressive, near) {
+  for (const EdgeOfTool& edge : edges_) resistances_.emplace_back(edge, tool, *ties, stroke_, near, materials, mesh);
 }
 
 void WorkingEdges::addCouplers(std::vector<Coupler*>* list) {
@@ -70,7 +76,7 @@ std::optional<CutResult> WorkingEdges::act(const std::vector<std::vector<Pose>>&
   }
   if (!stroke_.begun()) return std::nullopt;
   for (std::size_t i = 0; i < edges_.size(); ++i)
-    if (touches(at(i, wayOf(i).back()), motion.x, door->mesh())) return std::nullopt;
+    if (touches(at(i, wayOf(i).back()), motion.x, door->mesh(), &near_)) return std::nullopt;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Edge from = at(i, wayOf(i)[legs - std::min<std::size_t>(1, legs)]), to = at(i, wayOf(i).back());
     record([&] { return stroke_.leave(i, {to[0] - from[0], to[1] - from[1]}, motion.x, materials_, door, &ties_); });

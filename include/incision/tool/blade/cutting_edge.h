@@ -46,8 +46,8 @@ struct EdgeOfTool {
 /// stations, its tips, the tissue is carried along likewise until the force along the edge reaches F_c times the front.
 class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
  public:
-  /// The tool, the ties, the stroke, the materials and the mesh must outlive this.
-  CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
+  /// All but the edge must outlive this.
+  CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke, NearParts* near,
               const Materials& materials, const CutMesh& mesh);
 
   /// The edge is no longer in the tissue that it was in.
@@ -118,6 +118,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   ToolInStep* tool_;
   const Ties& ties_;
   const Stroke& stroke_;
+  NearParts* near_parts_;
   const Materials& materials_;
   double size_;  // of the elements, the mean [m]
   SkinDepth skin_;

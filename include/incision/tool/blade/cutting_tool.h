@@ -32,8 +32,8 @@ class CuttingTool : public Base {
   CuttingTool(const std::vector<EdgeOfTool>& edges, bool progressive, const ToolSurroundings& surroundings,
               OfBase&&... of_base)
       : Base(std::forward<OfBase>(of_base)...),
-        edges_(this->settings().name, edges, progressive, &this->in_step_, &surroundings.ties, surroundings.materials,
-               surroundings.mesh) {}
+        edges_(this->settings().name, edges, progressive, &this->in_step_, &surroundings.ties, &surroundings.near,
+               surroundings.materials, surroundings.mesh) {}
 
   ToolForm form() const override {
     ToolForm form = Base::form();

@@ -9,6 +9,7 @@
 #include "incision/base/memory_limits.h"
 #include "incision/cut/mesh_door.h"
 #include "incision/tool/blade/ties.h"
+#include "incision/tool/near_parts.h"
 
 namespace incision {
 
@@ -24,8 +25,8 @@ namespace incision {
 /// crack, so that they meet.
 class Stroke {
  public:
-  /// Without `progressive` it cuts elements whole, and nothing of them is tied.
-  explicit Stroke(bool progressive) : progressive_(progressive) {}
+  /// Without `progressive` it cuts elements whole, and nothing of them is tied. `near` must outlive this.
+  Stroke(bool progressive, NearParts* near) : progressive_(progressive), near_(near) {}
 
   /// Another stroke begins with the next start.
   void restart();
@@ -104,6 +105,7 @@ class Stroke {
   void settle(const Insertion& done, int before, const CutMesh& mesh);
 
   bool progressive_;
+  NearParts* near_;
   Memory memory_;
   std::vector<Edge> start_edges_;  // where the first sweep of each starts [m]
   std::vector<Vec3> start_x_;      // and the copies then [m]

@@ -5,6 +5,7 @@
 
 #include "incision/cut/cut_mesh.h"
 #include "incision/rigid/pose.h"
+#include "incision/tool/near_parts.h"
 #include "incision/tool/part_frame.h"
 
 namespace incision {
@@ -40,6 +41,6 @@ Vec3 nearest(const Edge& edge, const Vec3& point);
 double shortestEdge(const Part& part, const CutMesh& mesh);
 
 /// Whether an edge passes through an element the body now has, its parts taken whole.
-bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh);
+bool touches(const Edge& edge, const std::vector<Vec3>& x, const CutMesh& mesh, NearParts* near);
 
 }  // namespace incision

@@ -45,10 +45,9 @@ void check(const WorkingEdgesMemory& memory, const MemoryLimits& limits);
 /// resists.
 class WorkingEdges {
  public:
-  /// `label`: what reports of their strokes call them. The tool, the ties, the materials and the mesh must outlive
-  /// this.
+  /// `label`: what reports of their strokes call them. All others must outlive this.
   WorkingEdges(std::string label, const std::vector<EdgeOfTool>& edges, bool progressive, ToolInStep* tool, Ties* ties,
-               const Materials& materials, const CutMesh& mesh);
+               NearParts* near, const Materials& materials, const CutMesh& mesh);
 
   const std::vector<EdgeOfTool>& edges() const { return edges_; }
 
@@ -86,6 +85,7 @@ class WorkingEdges {
   ToolInStep* tool_;
   const Materials& materials_;
   Ties& ties_;
+  NearParts& near_;
   Stroke stroke_;
   std::deque<CuttingEdge> resistances_;  // of each edge; they stay where they are
   StrokesMemory strokes_;
