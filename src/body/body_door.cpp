@@ -31,6 +31,11 @@ void BodyDoor::finish() {
   tellAll();
 }
 
+void BodyDoor::forgetChanges() noexcept {
+  touched_.clear();
+  is_changed_ = false;
+}
+
 void BodyDoor::meshReplaced() {
   step_->reset();
   couplers_->changed(*mesh_);
