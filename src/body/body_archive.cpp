@@ -67,7 +67,7 @@ void DeformableBody::State::check(const BodyMemory& memory, const MemoryLimits& 
 
 void DeformableBody::save(std::ostream& out) const {
   ArchiveWriter archive(out);
-  state_->write(state_->keep(), &archive);
+  state_->write(state_->sound().keep(), &archive);
 }
 
 void DeformableBody::restore(std::string_view bytes) {
@@ -75,8 +75,7 @@ void DeformableBody::restore(std::string_view bytes) {
   const BodyMemory memory = state_->read(&archive);
   if (archive.left() > 0)
     throw InputError("the saved body is followed by " + std::to_string(archive.left()) + " bytes");
-  state_->recall(memory);
-  state_->set(memory.live);
+  state_->replace(memory, memory.live);
 }
 
 }  // namespace incision

@@ -4,6 +4,9 @@
 namespace incision {
 namespace {
 
+/// Short enough for a string that takes nothing from the heap.
+constexpr const char* OUT_OF_MEMORY = "memory ran out";
+
 std::string missedReason(const Insertion& done) {
   if (done.out_of_bounds == 0) return "it crosses no part of the body that is not cut there already";
   return "its plane crosses " + std::to_string(done.out_of_bounds) +
@@ -21,7 +24,20 @@ CrackField DeformableBody::State::fieldOf(const PlaneCut& plane) const {
   return field;
 }
 
+/// Where memory runs out the cut is refused, and nothing has changed.
 CutResult DeformableBody::State::cut(const PlaneCut& plane) {
+  try {
+    return allOrNothing([&] { return cutNow(plane); });
+  } catch (const std::bad_alloc&) {
+    CutResult refused;
+    refused.label = plane.label;
+    refused.status = CutStatus::REJECTED;
+    refused.reason = OUT_OF_MEMORY;
+    return refused;
+  }
+}
+
+CutResult DeformableBody::State::cutNow(const PlaneCut& plane) {
   const auto start_time = Clock::now();
   CutResult result;
   result.label = plane.label;
@@ -72,7 +88,10 @@ void DeformableBody::State::set(const LiveSettings& settings) {
 
 void DeformableBody::State::applyDueCuts() {
   while (cuts_done < cuts.size() && cuts[cuts_done].time <= time() + DUE_TOLERANCE)
-    reports.cuts.push_back(cut(cuts[cuts_done++].plane));
+    allOrNothing([&] {
+      reports.cuts.push_back(cutNow(cuts[cuts_done].plane));
+      ++cuts_done;
+    });
 }
 
 }  // namespace incision

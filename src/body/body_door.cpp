@@ -33,6 +33,11 @@ void BodyDoor::finish() {
   tellAll();
 }
 
+void BodyDoor::forgetChanges() noexcept {
+  touched_.clear();
+  is_changed_ = false;
+}
+
 void BodyDoor::meshReplaced() {
   near_parts_->forget();
   step_->reset();

@@ -27,7 +27,11 @@ class BodyDoor : public MeshDoor {
   /// Must be called after changes, before anything but the door is used.
   void finish();
 
-  /// Another mesh has taken the place of the one there was, for which the motion holds already.
+  /// Changes since the last `finish` have been undone.
+  void forgetChanges() noexcept;
+
+  /// Another mesh has taken the place of the one there was, for which the motion holds already, or nobody who depends
+  /// on it can be relied on: all is found anew.
   void meshReplaced();
 
  private:

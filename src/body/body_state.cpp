@@ -137,6 +137,17 @@ void DeformableBody::State::recallStep(const StepMemory& memory) {
   for (std::size_t i = 0; i < tools.size(); ++i) tools[i]->recall(memory.tools[i]);
 }
 
+/// Finds all anew that depends on the mesh, for which the motion and the growth of cracks hold already.
+void DeformableBody::State::recallAll(const StepMemory& memory) {
+  door.forgetChanges();
+  couplers.recall(memory.couplers);  // theirs must be of the mesh when they are told of it
+  door.meshReplaced();
+  step.recall(memory.step);
+  last_steps.recall(memory.last_steps);
+  couplers.recall(memory.couplers);
+  for (std::size_t i = 0; i < tools.size(); ++i) tools[i]->recall(memory.tools[i]);
+}
+
 BodyMemory DeformableBody::State::keep() const {
   BodyMemory memory{steps,
                     unsettled_steps,
@@ -152,21 +163,31 @@ BodyMemory DeformableBody::State::keep() const {
   return memory;
 }
 
-/// All but what was set anew, which a reset keeps.
-void DeformableBody::State::recall(const BodyMemory& memory) {
-  steps = memory.steps;
-  unsettled_steps = memory.unsettled_steps;
-  cuts_done = memory.cuts_done;
-  fractured_steps = memory.fractured_steps;
-  obstacle_motions.recall(memory.obstacles);
-  clamp_motions.recall(memory.clamps);
-  mesh.recall(memory.mesh);
-  motion = memory.step.motion;
-  if (growth) growth->recall(*memory.growth);
-  door.meshReplaced();
-  recallStep(memory.step);
+/// Another state in place of the one there is.
+void DeformableBody::State::replace(const BodyMemory& memory, const LiveSettings& settings) {
+  CutMesh::Memory other = memory.mesh;
+  BodyWrenches none = wants_wrenches ? noWrenches() : BodyWrenches();
+  allOrNothing([&] {
+    markRotations();
+    mesh.exchange(&other);
+    try {
+      steps = memory.steps;
+      unsettled_steps = memory.unsettled_steps;
+      cuts_done = memory.cuts_done;
+      fractured_steps = memory.fractured_steps;
+      obstacle_motions.recall(memory.obstacles);
+      clamp_motions.recall(memory.clamps);
+      motion = memory.step.motion;
+      if (growth) growth->recall(*memory.growth);
+      recallAll(memory.step);
+      set(settings);
+    } catch (...) {
+      mesh.exchange(&other);
+      throw;
+    }
+  });
   reports = Reports();
-  if (wants_wrenches) wrenches = noWrenches();
+  std::swap(wrenches, none);
 }
 
 }  // namespace incision

@@ -60,6 +60,20 @@ void serialize(Archive& archive, BodyMemory& memory) {
   archive(steps, unsettled_steps, cuts_done, fractured_steps, live, mesh, growth, obstacles, clamps, step);
 }
 
+/// What a call found that may have to be undone, in room that it keeps. The mesh has a journal of its own, and the
+/// rotations are only taken over when they are needed.
+struct BodyMark {
+  std::int64_t steps = 0, unsettled_steps = 0;
+  std::size_t cuts_done = 0;
+  std::int64_t fractured_steps = 0;
+  std::size_t cuts = 0, cracks = 0;  // told in the reports
+  std::optional<CrackGrowth::Memory> growth;
+  std::vector<RigidMotion> obstacles;
+  std::vector<ClampMotion> clamps;
+  StepMemory step;
+  bool has_rotations = false;  // in the memory of the step
+};
+
 /// What a body is made of. Commands change the mesh, steps the motion.
 struct DeformableBody::State {
   State(const Scene& s, TetMesh rest, const Descriptions& descriptions, const MakeLinearSolver& make_solver);
@@ -67,8 +81,17 @@ struct DeformableBody::State {
   void makeTools(const Descriptions& descriptions);
   void makeCouplers();
 
+  // Undoing, in body_undo.cpp.
+  State& sound();
+  void mark();
+  void markRotations();
+  void undo() noexcept;
+  template <class Change>
+  auto allOrNothing(const Change& change, bool is_marked = false);
+
   // Commands.
   CutResult cut(const PlaneCut& plane);
+  CutResult cutNow(const PlaneCut& plane);
   CrackField fieldOf(const PlaneCut& plane) const;
   void applyDueCuts();
   CutResult withPieces(CutResult cut) const;
@@ -76,7 +99,9 @@ struct DeformableBody::State {
   void set(const LiveSettings& settings);
 
   // A step.
-  void fracture();
+  bool fracture();
+  void grow(const std::vector<CrackAdvance>& advances);
+  bool take(StepResult* result);
   bool advance();
   bool advance(const StepSpan& span, double time, StepDemand demand);
   bool advanceFreely(double time, double time_step);
@@ -84,14 +109,15 @@ struct DeformableBody::State {
   void placeClamp(int clamp, const Pose& pose);
   void feel(const StepSpan& span, bool coupled);
   BodyWrenches noWrenches() const;
-  void tellWrenches();
+  void turnWrenches();
   void fillResult(StepResult* result);
 
   // The memory.
   StepMemory keepStep() const;
   void recallStep(const StepMemory& memory);
+  void recallAll(const StepMemory& memory);
   BodyMemory keep() const;
-  void recall(const BodyMemory& memory);
+  void replace(const BodyMemory& memory, const LiveSettings& settings);
   void write(const BodyMemory& memory, ArchiveWriter* archive) const;
   BodyMemory read(ArchiveReader* archive) const;
   void check(const BodyMemory& memory, const MemoryLimits& limits) const;
@@ -138,6 +164,23 @@ struct DeformableBody::State {
   bool wants_wrenches = false;
   BodyWrenches felt, wrenches;
   BodyMemory at_start;
+  BodyMark marked;
+  bool is_sound = true;  // otherwise all but the mesh and the motion are to be found anew from what was marked
 };
+
+/// Makes a change that either takes place as a whole, or leaves the body as it was and throws what stopped it. `change`
+/// must not move on what the reports tell of, nor throw where it has done so. `is_marked`: what is there is what has
+/// been marked last.
+template <class Change>
+auto DeformableBody::State::allOrNothing(const Change& change, bool is_marked) {
+  sound();
+  if (!is_marked) mark();
+  try {
+    return change();
+  } catch (...) {
+    undo();
+    throw;
+  }
+}
 
 }  // namespace incision

@@ -4,14 +4,27 @@
 
 namespace incision {
 
-/// Cracks start and grow where the stress at the step's start asks for it. Nothing moves.
-void DeformableBody::State::fracture() {
-  if (fractured_steps > steps) return;
-  fractured_steps = steps + 1;
+/// Cracks start and grow where the stress at the step's start asks for it. Nothing moves. Returns whether the body is
+/// still what has been marked last.
+bool DeformableBody::State::fracture() {
+  if (fractured_steps > steps) return false;
+  return allOrNothing([&] {
+    fractured_steps = steps + 1;
+    const double now = time();
+    const std::vector<CrackResult> fused = growth->fuse(now, mesh, motion.x);
+    reports.cracks.insert(reports.cracks.end(), fused.begin(), fused.end());
+    const std::vector<CrackAdvance> advances =
+        growth->advances(now, scene.solver.time_step, step.assembly(), motion.x, step.pieceOf());
+    if (!advances.empty()) grow(advances);
+    const bool is_unchanged = fused.empty() && advances.empty();
+    if (is_unchanged) marked.fractured_steps = fractured_steps;
+    return is_unchanged;
+  });
+}
+
+void DeformableBody::State::grow(const std::vector<CrackAdvance>& advances) {
   const double now = time();
-  for (const CrackResult& event : growth->fuse(now, mesh, motion.x)) reports.cracks.push_back(event);
-  for (const CrackAdvance& advance :
-       growth->advances(now, scene.solver.time_step, step.assembly(), motion.x, step.pieceOf())) {
+  for (const CrackAdvance& advance : advances) {
     const std::optional<CrackField> field = growth->field(advance, mesh);
     if (!field) continue;
     try {
@@ -29,12 +42,41 @@ void DeformableBody::State::fracture() {
   door.finish();
 }
 
+/// A step whose cracks have grown. Returns false with the motion and the mesh as they were; otherwise nothing is thrown
+/// once the reports have been handed over.
+bool DeformableBody::State::take(StepResult* result) {
+  const double dt = scene.solver.time_step, t = time();
+  for (const auto& tool : tools) tool->startStep(t, dt, motion.x);
+  clamp_motions.startStep(t, dt);
+  if (wants_wrenches) felt = noWrenches();
+  times = StepTimes();
+  couplers_ms = 0;
+  solved = SolveStats();
+  divided = false;
+  if (!advance()) return false;
+  ++steps;
+  if (!solved.settled) ++unsettled_steps;
+  if (growth) growth->stepTaken();
+  if (wants_wrenches) turnWrenches();
+  obstacle_motions.endStep();
+  clamp_motions.endStep();
+  const auto cutting = Clock::now();
+  endTools();
+  if (!tools.empty()) result->phase_ms.cut += 1e3 * secondsSince(cutting);
+  fillResult(result);
+  return true;
+}
+
 /// One step, in parts where it must be. Returns false with everything as it was.
 bool DeformableBody::State::advance() {
   return advanceInParts(
       {scene.solver.time_step}, time(),
       [&](const StepSpan& span, double from, StepDemand demand) { return advance(span, from, demand); },
-      [&] { return keepStep(); }, [&](const StepMemory& before) { recallStep(before); });
+      [&] {
+        markRotations();
+        return keepStep();
+      },
+      [&](const StepMemory& before) { recallStep(before); });
 }
 
 /// A part of a step. Returns false with nothing changed.

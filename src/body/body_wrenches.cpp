@@ -30,12 +30,11 @@ void DeformableBody::State::feel(const StepSpan& span, bool coupled) {
 }
 
 /// The step has been taken, but nothing has gone to where it ends yet.
-void DeformableBody::State::tellWrenches() {
-  wrenches = felt;
-  for (std::size_t i = 0; i < wrenches.clamps.size(); ++i)
-    wrenches.clamps[i] = about(clamp_motions.startOf(i).position, wrenches.clamps[i]);
-  for (std::size_t i = 0; i < wrenches.obstacles.size(); ++i)
-    wrenches.obstacles[i] = about(obstacle_motions.inStep()[i].from.position, wrenches.obstacles[i]);
+void DeformableBody::State::turnWrenches() {
+  for (std::size_t i = 0; i < felt.clamps.size(); ++i)
+    felt.clamps[i] = about(clamp_motions.startOf(i).position, felt.clamps[i]);
+  for (std::size_t i = 0; i < felt.obstacles.size(); ++i)
+    felt.obstacles[i] = about(obstacle_motions.inStep()[i].from.position, felt.obstacles[i]);
 }
 
 /// Its held copies go there at once, without a velocity that the way would give them.

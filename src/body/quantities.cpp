@@ -12,8 +12,11 @@
 namespace incision {
 
 std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult& last_step) {
-  const BodyCounts counts = body.counts();
-  const BodyMotion motion = body.motion();
+  return quantitiesOf(body.counts(), body.motion(), body.unsettledSteps(), last_step);
+}
+
+std::vector<Quantity> quantitiesOf(const BodyCounts& counts, const BodyMotion& motion, std::int64_t unsettled_steps,
+                                   const StepResult& last_step) {
   const auto count = [](const char* name, std::int64_t value, bool in_record = true) {
     return Quantity{name, value, in_record};
   };
@@ -36,7 +39,7 @@ std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult&
           count("iterations", last_step.iterations),
           {"residual", last_step.residual},
           count("solves", last_step.solves),
-          count("unsettled_steps", body.unsettledSteps())};
+          count("unsettled_steps", unsettled_steps)};
 }
 
 std::vector<Quantity> wrenchQuantitiesOf(const DeformableBody& body) {

@@ -111,13 +111,27 @@ std::optional<int> CutMesh::severedBy(int part, int face, int other, int other_f
   return std::nullopt;
 }
 
-void CutMesh::recall(const Memory& memory) {
-  parts_ = memory.parts;
-  details_ = memory.details;
-  copy_node_ = memory.copy_node;
-  copy_parent_ = memory.copy_parent;
-  own_copy_ = memory.own_copy;
-  num_cracks_ = memory.num_cracks;
+void CutMesh::mark() noexcept {
+  journal_.restart(parts_.size(), details_.size());
+  copies_at_mark_ = copy_node_.size();
+  cracks_at_mark_ = num_cracks_;
+}
+
+void CutMesh::undo() noexcept {
+  journal_.undo(&parts_, &details_);
+  for (std::vector<int>* of_copies : {&copy_node_, &copy_parent_})
+    of_copies->erase(of_copies->begin() + static_cast<std::ptrdiff_t>(copies_at_mark_), of_copies->end());
+  num_cracks_ = cracks_at_mark_;
+}
+
+void CutMesh::exchange(Memory* memory) noexcept {
+  parts_.swap(memory->parts);
+  details_.swap(memory->details);
+  copy_node_.swap(memory->copy_node);
+  copy_parent_.swap(memory->copy_parent);
+  own_copy_.swap(memory->own_copy);
+  std::swap(num_cracks_, memory->num_cracks);
+  mark();
 }
 
 std::vector<int> CutMesh::copyPieces(int* num_pieces) const {

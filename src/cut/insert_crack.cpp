@@ -174,26 +174,30 @@ void CutMesh::checkLimits(const std::vector<Plan>& plans, const Insertion& done)
     throw InputError("it could make more than " + std::to_string(MAX_COPIES) + " copies");
 }
 
-/// The part's detail; a new one is that of the whole element.
+/// The part's detail, to which sides are to be added; a new one is that of the whole element.
 CutPart& CutMesh::makeDetail(int part) {
   if (parts_[part].detail < 0) {
-    parts_[part].detail = static_cast<int>(details_.size());
     const PolytopeMoments whole = moments(wholeElement());
     details_.push_back({wholeElement(), whole.centroid, whole.products, {}});
+    journal_.keepPart(parts_, part);
+    parts_[part].detail = static_cast<int>(details_.size()) - 1;
+  } else {
+    journal_.keepSides(details_, parts_[part].detail);
   }
   return details_[parts_[part].detail];
 }
 
 void CutMesh::apply(SplitPart&& split) {
   const int positive = split.part, negative = static_cast<int>(parts_.size());
+  journal_.keepPart(parts_, positive);
   parts_.push_back(parts_[positive]);
   if (parts_[positive].detail < 0) {
     parts_[positive].detail = static_cast<int>(details_.size());
     details_.push_back(std::move(split.positive));
   } else {
-    CutPart& detail = details_[parts_[positive].detail];
-    split.positive.face_sides = split.negative.face_sides = std::move(detail.face_sides);
-    detail = std::move(split.positive);
+    const int detail = parts_[positive].detail;
+    split.positive.face_sides = split.negative.face_sides = details_[detail].face_sides;
+    journal_.replace(&details_, detail, std::move(split.positive));
   }
   parts_[negative].detail = static_cast<int>(details_.size());
   details_.push_back(std::move(split.negative));

@@ -59,6 +59,7 @@ std::vector<int> CutMesh::reconnect(const std::vector<int>& nodes, const std::ve
     for (std::size_t i = 0; i < found.parts.size(); ++i) {
       int& copy = parts_[found.parts[i]].copies[found.local_node[i]];
       if (copy == new_copy[found.component[i]]) continue;
+      journal_.keepPart(parts_, found.parts[i]);
       copy = new_copy[found.component[i]];
       changed.push_back(found.parts[i]);
     }

@@ -123,6 +123,7 @@ void Assembly::rotate(const std::vector<Vec3>& x) {
     turnAll(x, [&](int p, const Mat3&, const Mat3& R) { found_rotations_[p] = R; });
   }
   rotations_.swap(found_rotations_);
+  rotated_ = true;
   found_at_.clear();
 }
 
@@ -132,6 +133,20 @@ void Assembly::rotateOn(const std::vector<Vec3>& x) {
 
 void Assembly::rotateBack() {
   if (warping_) rotations_.swap(found_rotations_);
+  rotated_ = false;
+}
+
+void Assembly::markRotations() noexcept {
+  rotated_ = false;
+  marked_rotations_ = rotations_.size();
+}
+
+void Assembly::takeMarked(std::vector<Mat3>* marked) noexcept {
+  if (rotated_) rotations_.swap(found_rotations_);
+  rotated_ = false;
+  marked->swap(rotations_);
+  marked->resize(warping_ ? marked_rotations_ : 0);
+  rotations_.clear();
 }
 
 const std::vector<Mat3>& Assembly::rotations() const {

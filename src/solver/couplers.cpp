@@ -67,8 +67,13 @@ int Couplers::joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piec
 
 std::vector<std::any> Couplers::keep() const {
   std::vector<std::any> kept;
-  for (const Coupler* coupler : list_) kept.push_back(coupler->keep());
+  keepIn(&kept);
   return kept;
+}
+
+void Couplers::keepIn(std::vector<std::any>* kept) const {
+  kept->resize(list_.size());
+  for (std::size_t i = 0; i < list_.size(); ++i) list_[i]->keepIn(&(*kept)[i]);
 }
 
 void Couplers::recall(const std::vector<std::any>& kept) {

@@ -64,13 +64,24 @@ void ImplicitStep::reset() {
   fallback_.reset();
   touched_.clear();
   memory_ = Memory();
+  rotated_ = topology_known_ = matrix_known_ = had_springs_ = false;
+  group_at_start_.clear();
 }
 
 ImplicitStep::Memory ImplicitStep::keep() const {
-  Memory kept = memory_;
-  keepSolver(&kept);
+  Memory kept;
+  keepIn(&kept);
   kept.rotations = assembly_.rotations();
   return kept;
+}
+
+void ImplicitStep::keepIn(Memory* kept) const {
+  kept->basis = memory_.basis;
+  kept->group = memory_.group;
+  kept->fallback_steps = memory_.fallback_steps;
+  kept->solver = memory_.solver;
+  kept->solver_time_step = memory_.solver_time_step;
+  keepSolver(kept);
 }
 
 /// What the solver would have to be told for its part; as long as it has not been told of the system, that is still in

@@ -65,7 +65,9 @@ int PiecewiseSolver::correct(const std::vector<Vec3>& r, const std::vector<doubl
 
 /// A solver that has nothing to do may have a memory of another system.
 void PiecewiseSolver::keep(SolverMemory* memory) const {
-  *memory = {};
+  memory->blocks.clear();
+  memory->coarse_blocks.clear();
+  memory->idle = 0;
   if (any_direct_) direct_.keep(memory);
   if (any_iterative_) iterative_.keep(memory);
 }

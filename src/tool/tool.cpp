@@ -45,6 +45,7 @@ std::vector<Coupler*> Tool::couplers() {
 }
 
 void Tool::guide(const std::vector<Pose>& path) {
+  tool_.path.reserve(tool_.path.size() + path.size());  // nothing has changed where there is no room
   auto next = path.begin();
   if (!tool_.pose && next != path.end()) tool_.pose = *next++;
   tool_.path.insert(tool_.path.end(), next, path.end());

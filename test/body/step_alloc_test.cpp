@@ -4,8 +4,9 @@
 #include <memory>
 #include <thread>
 
-#include "support/allocation_count.h"
+#include "support/allocation_hooks.h"
 #include "support/forceps.h"
+#include "support/sanitized.h"
 #include "support/scenes.h"
 #include "support/tool.h"
 

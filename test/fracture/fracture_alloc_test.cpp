@@ -1,7 +1,7 @@
 // What fracture takes from the heap in a step in which nothing cracks, on two threads.
 #include <gtest/gtest.h>
 
-#include "support/allocation_count.h"
+#include "support/allocation_hooks.h"
 #include "support/sanitized.h"
 #include "support/scenes.h"
 

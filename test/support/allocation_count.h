@@ -1,19 +1,50 @@
 #pragma once
 
-// Counts what is taken from the heap, by every thread of the program that includes this in one of its files: this
-// replaces the C library's functions by such that count, then do the same. The sanitizers replace them too, so under
-// these nothing is counted.
+// Counts what is taken from the heap, and refuses it where a test says so, by every thread of a program of which one
+// file includes allocation_hooks.h.
+
+#include <dlfcn.h>
 
 #include <atomic>
-#include <cerrno>
-#include <cstddef>
 #include <cstdint>
-
-#include "support/sanitized.h"
+#include <cstring>
+#include <limits>
 
 namespace incision::test {
 
+inline constexpr std::int64_t NEVER = std::numeric_limits<std::int64_t>::max();
+
 inline std::atomic<std::int64_t> allocation_count{0};
+/// Which are refused, by their numbers: from the first to before the last.
+inline std::atomic<std::int64_t> first_refused{NEVER}, last_refused{NEVER};
+inline std::atomic<std::int64_t> refused_count{0};
+
+/// Whether a function is of a library that ends the process where it finds no memory, whoever calls it: that of the
+/// threads of OpenMP, which CHOLMOD opens a team of for a moment, of 1.5 kB.
+inline bool endsTheProcess(const void* caller) {
+  Dl_info found;
+  return dladdr(caller, &found) != 0 && std::strstr(found.dli_fname, "libgomp") != nullptr;
+}
+
+/// Counts one that was asked for by a function; whether it is refused.
+inline bool refuses(const void* caller) {
+  const std::int64_t number = allocation_count++;
+  if (number < first_refused || number >= last_refused || endsTheProcess(caller)) return false;
+  ++refused_count;
+  return true;
+}
+
+/// Refuses some of what `f` takes from the heap: from the n-th on, counted from 1, so many of them. Returns how many
+/// that were.
+template <typename Function>
+std::int64_t refusing(std::int64_t n, std::int64_t count, const Function& f) {
+  const std::int64_t before = refused_count;
+  last_refused = allocation_count + n - 1 + count;
+  first_refused = allocation_count + n - 1;
+  f();
+  first_refused = last_refused = NEVER;
+  return refused_count - before;
+}
 
 /// How often `f` takes memory from the heap.
 template <typename Function>
@@ -24,50 +55,3 @@ std::int64_t allocationsOf(const Function& f) {
 }
 
 }  // namespace incision::test
-
-#ifndef INCISION_SANITIZE
-
-extern "C" {
-
-// glibc's own, under the names it keeps for this purpose.
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-
-void* malloc(std::size_t size) noexcept {
-  ++incision::test::allocation_count;
-  return __libc_malloc(size);
-}
-
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  ++incision::test::allocation_count;
-  return __libc_calloc(count, size);
-}
-
-void* realloc(void* old, std::size_t size) noexcept {
-  ++incision::test::allocation_count;
-  return __libc_realloc(old, size);
-}
-
-void* memalign(std::size_t alignment, std::size_t size) noexcept {
-  ++incision::test::allocation_count;
-  return __libc_memalign(alignment, size);
-}
-
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  ++incision::test::allocation_count;
-  return __libc_memalign(alignment, size);
-}
-
-int posix_memalign(void** result, std::size_t alignment, std::size_t size) noexcept {
-  ++incision::test::allocation_count;
-  void* const memory = __libc_memalign(alignment, size);
-  if (memory == nullptr) return ENOMEM;
-  *result = memory;
-  return 0;
-}
-
-}  // extern "C"
-
-#endif

@@ -7,15 +7,30 @@
 
 namespace incision {
 
+/// The value of type `Memory` in `kept`, made there where it holds something else: so what it held keeps its room.
+template <class Memory>
+Memory& memoryIn(std::any* kept) {
+  if (auto* there = std::any_cast<Memory>(kept)) return *there;
+  return kept->emplace<Memory>();
+}
+
 /// Something that has a memory: the value that outlasts a step. All else in it is scratch, found again from the memory
-/// and from the mesh. The retry of a step in halves and a reset keep memories and recall them; a body that is saved
-/// writes them.
+/// and from the mesh. The retry of a step in halves, what undoes a step and a reset keep memories and recall them; a
+/// body that is saved writes them.
 class Remembers {
  public:
   virtual ~Remembers() = default;
 
+  /// Copies the memory into `kept`, which keeps the room that it has where it held one before: what is kept before each
+  /// step takes nothing from the heap.
+  virtual void keepIn(std::any* kept) const = 0;
+
   /// A copy of the memory.
-  virtual std::any keep() const = 0;
+  std::any keep() const {
+    std::any kept;
+    keepIn(&kept);
+    return kept;
+  }
 
   /// Puts a memory back that keep() of an object of this type has returned.
   virtual void recall(const std::any& kept) = 0;
@@ -47,7 +62,7 @@ template <class Base, class Memory>
 class WithMemory : public Base {
  public:
   explicit WithMemory(Memory memory = {}) : memory_(std::move(memory)) {}
-  std::any keep() const override { return memory_; }
+  void keepIn(std::any* kept) const override { memoryIn<Memory>(kept) = memory_; }
   void recall(const std::any& kept) override { memory_ = std::any_cast<const Memory&>(kept); }
   void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<Memory>(kept, archive); }
   std::any read(ArchiveReader* archive) const override { return readKept<Memory>(archive); }

@@ -44,6 +44,16 @@ struct BodyMotion {
 /// Wall time of one step's phases [ms].
 struct PhaseTimes {
   double cut = 0, fracture = 0, contact = 0, assembly = 0, solve = 0, update = 0;
+
+  PhaseTimes& operator+=(const PhaseTimes& other) {
+    cut += other.cut;
+    fracture += other.fracture;
+    contact += other.contact;
+    assembly += other.assembly;
+    solve += other.solve;
+    update += other.update;
+    return *this;
+  }
 };
 
 /// What has happened to the body's topology.
@@ -82,6 +92,10 @@ class StepFailed : public std::runtime_error {
 };
 
 /// One soft body: owns the state and calls the stages. Not thread-safe.
+///
+/// Any function may throw std::bad_alloc. What it was to change is then as it was before the call, but for what a step
+/// says, and the body goes on as if there had been no such call. Where memory stays so short that it cannot be put in
+/// order again, all functions but those that tell of the mesh, of positions and of counted steps throw so until it can.
 class DeformableBody {
  public:
   /// `make_solver` makes the linear solvers; left out, they are those that the scene asks for. Throws InputError when
@@ -90,14 +104,17 @@ class DeformableBody {
                  const MakeLinearSolver& make_solver = {});
   ~DeformableBody();
 
-  /// Applies what is due, then takes one step of Δt. Throws StepFailed: the body is then as it was after what was due
-  /// has been applied, tools still have the paths before them that they were given, and the reports wait to be taken.
+  /// Applies what is due, then takes one step of Δt. Throws StepFailed, or std::bad_alloc: the body is then as it was
+  /// after what was due has been applied (with std::bad_alloc, after as much of it as there was memory for; the next
+  /// step applies the rest), tools still have the paths before them that they were given, and the reports wait to be
+  /// taken.
   StepResult step();
 
   /// What has happened and no step's result has told, because the step failed. Returns each report once.
   Reports takeReports();
 
-  /// Cuts at once, in the current configuration. Never throws for what the plane says: it is REJECTED with the reason.
+  /// Cuts at once, in the current configuration. Never throws for what the plane says: it is REJECTED with the reason,
+  /// as it is where memory runs out.
   CutResult cut(const PlaneCut& plane);
 
   /// How many tools there are. The functions below throw std::out_of_range for a tool that there is not.

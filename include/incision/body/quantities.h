@@ -19,6 +19,8 @@ struct Quantity {
 /// All there are, after the step taken last: the one list from which the run's summary, its record and the node's state
 /// take their numbers. A new number is an entry here, and for the state a field of that name.
 std::vector<Quantity> quantitiesOf(const DeformableBody& body, const StepResult& last_step);
+std::vector<Quantity> quantitiesOf(const BodyCounts& counts, const BodyMotion& motion, std::int64_t unsettled_steps,
+                                   const StepResult& last_step);
 
 /// What the body does to each clamp, to the ground and to each link of the obstacles, where these wrenches are wanted:
 /// `clamp_0_force`, `clamp_0_torque`, …, `ground_force`, `obstacle_0_force`, …. For the record alone.

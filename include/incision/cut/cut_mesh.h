@@ -7,8 +7,9 @@
 
 #include "incision/base/memory_limits.h"
 #include "incision/cut/crack.h"
+#include "incision/cut/cut_journal.h"
+#include "incision/cut/cut_part.h"
 #include "incision/cut/face_polygon.h"
-#include "incision/cut/part.h"
 #include "incision/mesh/tet_mesh.h"
 
 namespace incision {
@@ -30,56 +31,6 @@ inline constexpr int MAX_PARTS_PER_ELEMENT = 4096;
 
 /// A cut that could leave more copies is refused: some 100 GB for the solver.
 inline constexpr int MAX_COPIES = 10'000'000;
-
-/// The material of one element on one side of all its cracks. Each part sees the whole element, through four copies of
-/// its own choice. Of an element that a crack has cut through, in the plane:
-///
-///        2                  2'
-///       / \                . .         The upper part contains node 2. It uses the own copy of 2, and extended
-///      /   \ upper        .   .        copies 0' and 1' of the nodes that lie beyond the crack.
-///     ╞═════╡            ╞═════╡       The lower part contains nodes 0 and 1. It uses their own copies, and an
-///    .       .          /       \      extended copy 2'.
-///   0' . . . 1'        0─────────1
-///                          lower
-///
-struct Part {
-  int element;
-  std::array<int, 4> copies;  ///< c(p, I): the copy of each of the element's nodes that the part uses
-  double fraction;            ///< w_p = V_p / V_e
-  int detail;                 ///< index of its CutPart, or −1: the whole element, met by no crack
-  int next;                   ///< next part of the same element, or −1; the first part of element e is part e
-};
-
-template <class Archive>
-void serialize(Archive& archive, Part& part) {
-  auto& [element, copies, fraction, detail, next] = part;
-  archive(element, copies, fraction, detail, next);
-}
-
-/// On which side of a crack a part lies that has a whole face in the crack.
-struct FaceSide {
-  int face, crack, side;  ///< side: +1 or −1
-};
-
-template <class Archive>
-void serialize(Archive& archive, FaceSide& side_of_face) {
-  auto& [face, crack, side] = side_of_face;
-  archive(face, crack, side);
-}
-
-/// What only a part that some crack has met needs.
-struct CutPart {
-  Polytope polytope;
-  Barycentric centroid;
-  Eigen::Matrix4d products;  ///< ∫_p N_I N_J dX / V_e
-  std::vector<FaceSide> face_sides;
-};
-
-template <class Archive>
-void serialize(Archive& archive, CutPart& part) {
-  auto& [polytope, centroid, products, face_sides] = part;
-  archive(polytope, centroid, products, face_sides);
-}
 
 /// Two parts that overlap on a face of the mesh, and where.
 struct FacePair {
@@ -139,6 +90,12 @@ class CutMesh {
   /// Throws InputError, with nothing changed, when the result would pass MAX_PARTS_PER_ELEMENT or MAX_COPIES.
   Insertion insert(const CrackField& crack);
 
+  /// From here on changes can be undone.
+  void mark() noexcept;
+  /// Puts the mesh back as it was at the last mark, without memory from the heap: what has changed it may have been
+  /// broken off anywhere.
+  void undo() noexcept;
+
   /// What cracks have made of the mesh; all else follows from the mesh as read.
   struct Memory {
     std::vector<Part> parts;
@@ -150,8 +107,8 @@ class CutMesh {
   /// Throws InputError where a memory cannot be one of this mesh. Returns what other memories that go with it number,
   /// but for regions.
   MemoryLimits check(const Memory& memory) const;
-  /// Puts back what was kept of this mesh.
-  void recall(const Memory& memory);
+  /// Puts what was kept of this mesh in the place of what it is, which `memory` then holds, and marks it.
+  void exchange(Memory* memory) noexcept;
 
   /// The piece of every copy: pieces are numbered from 0 in the order of their lowest copy.
   std::vector<int> copyPieces(int* num_pieces) const;
@@ -181,6 +138,9 @@ class CutMesh {
   std::vector<CutPart> details_;
   std::vector<int> copy_node_, copy_parent_, own_copy_;
   int num_cracks_ = 0;
+  CutJournal journal_;
+  std::size_t copies_at_mark_ = 0;
+  int cracks_at_mark_ = 0;
 };
 
 template <class Archive>

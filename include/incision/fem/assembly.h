@@ -34,6 +34,11 @@ class Assembly {
   void rotateOn(const std::vector<Vec3>& x);
   /// Takes `rotate` back, and what rotateOn has done since, when nothing else has been called since but for the forces.
   void rotateBack();
+  /// From here on they can be taken back: after one `rotate`, whatever followed it, and after changes of the topology.
+  void markRotations() noexcept;
+  /// Puts those that there were at the mark in `marked`, without memory from the heap; none without warping. Before
+  /// anything else the assembly must be reset.
+  void takeMarked(std::vector<Mat3>* marked) noexcept;
   /// R_p of every part; none without warping.
   const std::vector<Mat3>& rotations() const;
   /// Puts those back that there were for the mesh as it is; without any, they stay.
@@ -115,6 +120,8 @@ class Assembly {
   std::optional<Patches> patches_;
   std::vector<TissueElement> elements_;
   std::vector<Mat3> rotations_;
+  bool rotated_ = false;              // since they were marked, so that found_rotations_ has those,
+  std::size_t marked_rotations_ = 0;  // of which there were so many
   std::vector<double> masses_, mass_diagonal_, stiffness_diagonal_, force_rounding_;
   Lists<Corner> corners_;
   mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_; else those before the last `rotate`

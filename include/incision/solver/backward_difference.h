@@ -19,6 +19,11 @@ class BackwardDifference {
     Motion before;       ///< x_{n−1}, v_{n−1}
   };
   const Memory& keep() const { return memory_; }
+  /// Copies what counts of it into the room that `kept` has.
+  void keepIn(Memory* kept) const {
+    kept->known = memory_.known;
+    if (memory_.known) kept->before = memory_.before;
+  }
   void recall(const Memory& memory) { memory_ = memory; }
 
   /// Forgets the past, so that the next step is one of implicit Euler: after what the past does not foresee, a cut or

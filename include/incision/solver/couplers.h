@@ -50,6 +50,7 @@ class Couplers {
   int joinPieces(const CutMesh& mesh, int pieces, std::vector<int>* piece) const;
 
   std::vector<std::any> keep() const;
+  void keepIn(std::vector<std::any>* kept) const;
   void recall(const std::vector<std::any>& kept);
   void write(const std::vector<std::any>& kept, ArchiveWriter* archive) const;
   std::vector<std::any> read(ArchiveReader* archive) const;

@@ -60,13 +60,20 @@ class ImplicitStep : private StepEquations {
     std::vector<Mat3> rotations;  ///< of each part; only in what is kept
   };
   Memory keep() const;
+  /// Copies all of it but the rotations into the room that `kept` has.
+  void keepIn(Memory* kept) const;
   /// Puts a memory back that was kept since the mesh changed.
   void recall(const Memory& memory);
+
+  /// From here on the rotations can be taken back, as Assembly::takeMarked says.
+  void markRotations() noexcept { assembly_.markRotations(); }
+  void takeMarked(std::vector<Mat3>* rotations) noexcept { assembly_.takeMarked(rotations); }
 
   /// Before the first step, and after every cut with the nodes round which it changed parts or copies.
   void topologyChanged(const Motion& motion, const std::vector<int>& touched = {});
 
-  /// Forgets everything that came after the construction, as the mesh was replaced. topologyChanged must follow.
+  /// Forgets everything that came after the construction, as the mesh was replaced or a step was broken off.
+  /// topologyChanged must follow.
   void reset();
 
   /// Takes these instead of those that it was made with. Between steps.

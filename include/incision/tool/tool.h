@@ -48,7 +48,7 @@ class Tool : public Remembers {
   /// `touching`: contacts of its groups, where it touches the body.
   Tool(const ToolSettings& settings, Touching touching);
 
-  std::any keep() const override { return tool_; }
+  void keepIn(std::any* kept) const override { memoryIn<ToolMemory>(kept) = tool_; }
   void recall(const std::any& kept) override { tool_ = std::any_cast<const ToolMemory&>(kept); }
   void write(const std::any& kept, ArchiveWriter* archive) const override { writeKept<ToolMemory>(kept, archive); }
   std::any read(ArchiveReader* archive) const override { return readKept<ToolMemory>(archive); }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "support/allocation_count.h"
+#include "support/allocation_hooks.h"
 
 // Where valgrind is not installed, nothing runs under it.
 #if __has_include(<valgrind/callgrind.h>)

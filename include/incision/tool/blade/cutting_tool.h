@@ -55,7 +55,11 @@ class CuttingTool : public Base {
     return report;
   }
 
-  std::any keep() const override { return CuttingToolMemory{this->tool_, edges_.keep()}; }
+  void keepIn(std::any* kept) const override {
+    auto& memory = memoryIn<CuttingToolMemory>(kept);
+    memory.tool = this->tool_;
+    edges_.keepIn(&memory.edges);
+  }
   void recall(const std::any& kept) override {
     const auto& memory = std::any_cast<const CuttingToolMemory&>(kept);
     this->tool_ = memory.tool;

@@ -71,7 +71,10 @@ class WorkingEdges {
   /// Adds what acts between them and the tissue.
   void addCouplers(std::vector<Coupler*>* list);
 
-  WorkingEdgesMemory keep() const { return {strokes_, stroke_.keep()}; }
+  void keepIn(WorkingEdgesMemory* kept) const {
+    kept->strokes = strokes_;
+    kept->stroke = stroke_.keep();
+  }
   void recall(const WorkingEdgesMemory& memory);
 
  private:
