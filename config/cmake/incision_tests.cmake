@@ -14,7 +14,7 @@
 # - test/body/instruction_count.py: instructions a step, where valgrind is installed.
 # - test/ros/*.test: rostest.
 # - test/run/version_test.py: what the build writes down as the version.
-# - test/study/*_test.py: studies of many runs, those in *_full_test.py slow ones that start servers.
+# - test/study/*_test.py: studies of many runs; *_full_test.py are slow, most start servers.
 # - test/install/: a program against the installed package.
 # - test/pages/: the pages of documentation.
 # - the sources: what includes what, their format, catkin_lint.

@@ -37,6 +37,7 @@ def command_of(run, study, program, folder):
     words = [str(program), *run.arguments]
     if study.record:
         words += ['--record', str(record_of(folder, run.name))]
+    words += ['--summary', str(runs_folder(folder) / f'{run.name}.json')]
     return ' '.join(shlex.quote(word) for word in words)
 
 

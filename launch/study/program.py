@@ -123,7 +123,7 @@ def run_here(folder, study, pending, program, arguments, descriptor):
     ended_by = []
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda n, _: ended_by.append(n))
-    for part in runs_folder(folder).glob('*.part'):  # of runs that were killed
+    for part in runs_folder(folder).glob('*.tmp'):  # of runs that were killed
         part.unlink(missing_ok=True)
     hosts = arguments.sshlogin.count(',') + 1 if arguments.sshlogin else 1
     workers = (arguments.jobs or os.cpu_count()) * hosts
@@ -178,10 +178,10 @@ def work(arguments):
         make_folder(folder)
         return gather(arguments, study, folder, runs)
     program = find_batch(arguments.batch)
+    make_folder(folder)
     if arguments.list:
         print_list(study, folder, runs, program, arguments.retry_failed)
         return DONE
-    make_folder(folder)
     with locked(folder) as descriptor:
         return run_study(arguments, study, folder, runs, program, descriptor)
 

@@ -75,13 +75,13 @@ def read_json(folder, name):
 def outcome_of(folder, run):
     """(state, what it said in the end or None, why it failed)."""
     line = read_json(folder, run.name)
-    if line is not None:
-        failure = line.get('failure')
-        return (FAILED, line, str(failure)) if failure else (DONE, line, '')
     try:
-        return FAILED, None, (runs_folder(folder) / f'{run.name}.failed').read_text(errors='replace').strip()
+        return FAILED, line, (runs_folder(folder) / f'{run.name}.failed').read_text(errors='replace').strip()
     except OSError:
+        pass  # there is no such file
+    if line is None or line.get('interrupted'):
         return WAITING, None, ''
+    return (FAILED, line, str(line['failure'])) if line.get('failure') else (DONE, line, '')
 
 
 def forget(folder, runs):

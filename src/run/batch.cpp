@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "incision/run/first_steps.h"
 #include "incision/run/run_summary.h"
 #include "incision/run/state_file.h"
+#include "incision/run/summary_file.h"
 #include "incision/scene/scene.h"
 #include "run_outputs.h"
 
@@ -153,13 +155,20 @@ BatchStatus runScene(const BatchProgram& program, const BatchOptions& options, s
   const std::unique_ptr<StepSource> source = program.open ? program.open(options, &body) : nullptr;
   if (source && !options.restore.empty()) source->recall(leads);
   RunOutputs outputs(options, body);
+  std::optional<SummaryFile> summary;
+  if (!options.summary.empty()) summary.emplace(options.summary);
   notes.push_back(describe(body));
   const Run run = {program, options, body, source.get(), err};
   for (const std::string& note : notes) run.say(note);
   StepStatistics statistics;
   const RunAccount account = takeSteps(run, outputs, statistics);
-  const bool written = outputs.finish(body, source ? source->leads() : "", key, program.name, err);
-  out << summaryLine(body, statistics, account, source.get()) << std::endl;
+  bool written = outputs.finish(body, source ? source->leads() : "", key, program.name, err);
+  const std::string line = summaryLine(body, statistics, account, source.get());
+  if (summary && !summary->keep(line)) {
+    run.say(printable(options.summary) + ": could not be written");
+    written = false;
+  }
+  out << line << std::endl;
   return statusOf(account, options, written && out);
 }
 

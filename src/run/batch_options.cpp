@@ -21,6 +21,7 @@ constexpr const char* OPTIONS =
   --volume END.vtu   the parts, likewise, with their displacements and regions
   --series RUN.pvd   both at the start, after every so many steps, and at the end
   --every N          how many steps for --series (default 10)
+  --summary END.json the line of JSON also goes there, whole or not at all
   --save END.state   all that outlasts the last step, to go on from
   --restore START.state
                      goes on where --save has left off with the same scene;
@@ -55,6 +56,7 @@ std::map<std::string, Taker> optionTakers(BatchOptions& options) {
           {"--positions", [&](const std::string& value) { options.positions = value; }},
           {"--snapshot", [&](const std::string& value) { options.snapshot = value; }},
           {"--volume", [&](const std::string& value) { options.volume = value; }},
+          {"--summary", [&](const std::string& value) { options.summary = value; }},
           {"--restore", [&](const std::string& value) { options.restore = value; }},
           {"--save", [&](const std::string& value) { options.save = value; }},
           {"--series", [&](const std::string& value) { options.series = value; }},

@@ -145,6 +145,23 @@ TEST_F(Batch, TheJsonSaysWhatBecameOfEachCut) {
   EXPECT_EQ(Json::parse(out_.str())["cuts"].size(), 2u);
 }
 
+TEST_F(Batch, TheLineIsKeptWholeOrNotAtAll) {
+  std::ofstream(file("end.json")) << "of an earlier run";
+  ASSERT_EQ(run({file("bar.yaml"), "--steps", "2", "--summary", file("end.json")}), BatchStatus::DONE);
+  EXPECT_EQ(lines("end.json").at(0) + "\n", out_.str());
+  EXPECT_EQ(run({file("bar.yaml"), "--steps", "2", "--summary", file("none/end.json")}), BatchStatus::BAD_INPUT);
+  EXPECT_EQ(out_.str(), "");
+  fs::create_directory(file("folder"));
+  EXPECT_EQ(run({file("bar.yaml"), "--steps", "2", "--summary", file("folder")}), BatchStatus::FAILED);
+  EXPECT_FALSE(fs::exists(file("folder.tmp")));
+  EXPECT_NE(err_.str().find(file("folder") + ": could not be written"), std::string::npos) << err_.str();
+  EXPECT_EQ(Json::parse(out_.str())["steps"], 2);
+  // An error while it runs leaves what was there, and nothing beside it.
+  EXPECT_EQ(run({file("bar.yaml"), "--summary", file("end.json"), "--save", file("none/a")}), BatchStatus::BAD_INPUT);
+  EXPECT_EQ(lines("end.json").size(), 1u);
+  EXPECT_FALSE(fs::exists(file("end.json.tmp")));
+}
+
 TEST_F(Batch, StrictRunsFailWithACutThatWasNotMade) {
   EXPECT_EQ(run({file("bar.yaml"), "--steps", "3", "--strict"}), BatchStatus::CUT_MISSED);
   EXPECT_EQ(Json::parse(out_.str())["steps"], 3);
@@ -354,7 +371,7 @@ TEST_F(Batch, FullDiskIsStatusOneAndStillReports) {
 TEST_F(Batch, HelpNamesEveryOption) {
   EXPECT_EQ(run({"--help"}), BatchStatus::DONE);
   for (const char* option : {"--steps", "--set", "--threads", "--record", "--positions", "--snapshot", "--volume",
-                             "--series", "--every", "--save", "--restore", "--keep-going", "--strict"}) {
+                             "--series", "--every", "--save", "--restore", "--summary", "--keep-going", "--strict"}) {
     EXPECT_NE(out_.str().find(option), std::string::npos) << option;
   }
 }

@@ -56,7 +56,7 @@ exec "$REAL" "$@"
             self.assertEqual(process.returncode, status, err)
             self.assertIn(f'{self.ended()} of 20 runs are done, {20 - self.ended()} are still to be run', err)
             self.assertEqual(len(self.table()), self.ended())
-            self.assertEqual(list((self.out / 'runs').glob('*.part')), [])
+            self.assertEqual(list((self.out / 'runs').glob('*.tmp')), [])
         self.assertLess(self.ended(), 20)
         times = {path: path.stat().st_mtime_ns for path in (self.out / 'runs').glob('*.json')}
         self.assertEqual(self.study(study, '--list')[0].count('\n'), 20 - len(times))
@@ -127,7 +127,7 @@ exec "$REAL" "$@"''')
         self.assertEqual(reasons['-4'], 'it took longer than its time limit')
         self.assertEqual(reasons['-5'], '')
         self.assertEqual([row['status'] for row in self.table()], ['failed'] * 4 + ['done'])
-        self.assertEqual([bool(row['steps']) for row in self.table()], [False, True, False, False, True])
+        self.assertEqual([bool(row['steps']) for row in self.table()], [False, True, False, True, True])
 
         self.assertIn('4 failed', self.study(study, status=1)[1])
         self.assertEqual(self.study(study, '--list')[0], '')

@@ -22,6 +22,7 @@ struct BatchOptions {
   std::int64_t steps = 100;            ///< to take; 0: none; at most MAX_STEPS, as of bags by default
   std::vector<std::string> overrides;  ///< "solver.time_step=0.005", in the order given
   std::string record, positions, snapshot, volume, series;  ///< output files; empty: none
+  std::string summary;                                      ///< file that also gets the line of JSON; empty: none
   std::string restore;                                      ///< file that a body was saved in; empty: none
   std::string save;                                         ///< file to save the body in at the end; empty: none
   std::int64_t every = 10;  ///< steps between snapshots of the series; as many as `steps` may be
