@@ -96,4 +96,9 @@ std::uint64_t Agenda::thinned() const {
   return sum;
 }
 
+std::uint64_t Agenda::thinned(int tool) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return tools_.at(static_cast<std::size_t>(tool)).thinned();
+}
+
 }  // namespace incision

@@ -52,13 +52,16 @@ void PaceWatch::lookAtSkippedTime(double passed) {
 }
 
 void PaceWatch::lookAtThinnedPoses() {
-  const std::uint64_t thinned = commands_.thinned();
-  if (std::exchange(thinned_, thinned) == thinned) return;
-  std::ostringstream text;
-  text << thinned << " poses and jaws' angles of tools are left out so far, since more than " << MAX_WAITING_POSES
-       << " of one tool waited for a step";
-  if (pacer_.goesByStamps()) text << ": " << SLOWER;
-  answers_.warn("thinned poses", text.str());
+  for (std::size_t tool = 0; tool < thinned_.size(); ++tool) {
+    const std::uint64_t thinned = commands_.thinned(static_cast<int>(tool));
+    if (std::exchange(thinned_[tool], thinned) == thinned) continue;
+    const std::string name = "tool '" + commands_.tools()[tool] + "'";
+    std::ostringstream text;
+    text << name << ": " << thinned << " of its poses and jaw's angles are left out so far, since more than "
+         << MAX_WAITING_POSES << " waited for a step";
+    if (pacer_.goesByStamps()) text << ": " << SLOWER;
+    answers_.warn("thinned poses of " + name, text.str());
+  }
 }
 
 void PaceWatch::lookAtWaitingCommands(SteadyTime now) {

@@ -45,17 +45,25 @@ double shownStress(std::vector<double> stress) {
   return *at > 0 ? *at : 1;
 }
 
-/// The lists of triangles, empty: of each region the skin and the cut faces.
+/// The lists of triangles, empty: the skin and the cut faces of each region, of which the first are those of the whole
+/// body where regions are not told apart, and those with a colour for each point. rviz updates a list in place, and one
+/// that began without such colours never gets them: a list of its own does.
 std::vector<Marker> lists(const BodyView& view, const std::string& frame, const ros::Time& stamp) {
-  if (view.field != MarkerField::REGION)
-    return {plainMarker(Marker::TRIANGLE_LIST, "skin", 0, colour(0.78F, 0.35F, 0.32F), frame, stamp),
-            plainMarker(Marker::TRIANGLE_LIST, "cut faces", 1, colour(1.0F, 0.72F, 0.66F), frame, stamp)};
   std::vector<Marker> markers;
-  for (int region = 0; region < view.num_regions; ++region)
-    for (const bool is_cut : {false, true})
+  for (int pair = 0; pair <= view.num_regions; ++pair)
+    for (const bool is_cut : {false, true}) {
+      std_msgs::ColorRGBA c = is_cut ? colour(1.0F, 0.72F, 0.66F) : colour(0.78F, 0.35F, 0.32F);
+      if (view.field == MarkerField::REGION) c = colourOf(pair, is_cut);
       markers.push_back(plainMarker(Marker::TRIANGLE_LIST, is_cut ? "cut faces" : "skin",
-                                    static_cast<int>(markers.size()), colourOf(region, is_cut), frame, stamp));
+                                    static_cast<int>(markers.size()), c, frame, stamp));
+    }
   return markers;
+}
+
+/// Which pair of lists a triangle is in.
+int pairOf(const BodyView& view, std::size_t triangle) {
+  if (view.field == MarkerField::STRESS) return view.num_regions;
+  return view.field == MarkerField::REGION ? view.regions[triangle] : 0;
 }
 
 /// Points of the triangles that are drawn for one of the surface, three for each.
@@ -91,8 +99,7 @@ void addTriangles(const BodyView& view, std::vector<Marker>* markers) {
   const double shown = view.field == MarkerField::STRESS ? shownStress(view.von_mises) : 1;
   const Corners corners(view);
   for (std::size_t t = 0; t < view.surface->triangles.size(); ++t) {
-    const int region = view.field == MarkerField::REGION ? view.regions[t] : 0;
-    Marker& marker = (*markers)[static_cast<std::size_t>(2 * region + (view.surface->cut_face[t] ? 1 : 0))];
+    Marker& marker = (*markers)[static_cast<std::size_t>(2 * pairOf(view, t) + (view.surface->cut_face[t] ? 1 : 0))];
     corners.forEach(t, [&](const Vec3& corner) { marker.points.push_back(toPoint(corner)); });
     if (view.field == MarkerField::STRESS)
       marker.colors.insert(marker.colors.end(), corners.perTriangle(), colourOf(view.von_mises[t] / shown));

@@ -21,8 +21,8 @@ constexpr double EDGE_WIDTH = 0.005;
 /// Of the arrow of a force, in sizes of the body: the diameters of its shaft and its head, and the head's length.
 const Vec3 ARROW_SIZE(0.012, 0.024, 0.04);
 
-/// Of the letters that tell a force, in sizes of the body: how high they are, and how far above the arrow's head.
-constexpr double LETTERS = 0.04, ABOVE = 0.04;
+/// Of the letters that tell a force, in sizes of the body: how high they are, and how far beyond the arrow's head.
+constexpr double LETTERS = 0.04, BEYOND = 0.04;
 
 /// Of a mesh in a file only the file is told: rviz reads it once, however often the marker comes.
 int typeOf(const Drawing& drawing) {
@@ -102,7 +102,8 @@ void addForce(const ToolView& view, const Pose& link, const ToolScale& scale, co
   arrow.points = {toPoint(link.position), toPoint(head)};
   Marker letters = plainMarker(Marker::TEXT_VIEW_FACING, view.name + "/force in N", 0, black, frame, stamp);
   letters.scale.z = LETTERS * scale.size;
-  letters.pose.position = toPoint(head + ABOVE * scale.size * Vec3::UnitZ());
+  const Vec3 way = link.orientation * view.force.stableNormalized();
+  letters.pose.position = toPoint(head + BEYOND * scale.size * way);
   letters.text = inNewton(view.force.norm());
   for (Marker* marker : {&arrow, &letters}) {
     if (view.force.isZero()) marker->action = Marker::DELETE;

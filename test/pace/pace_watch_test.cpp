@@ -61,7 +61,7 @@ TEST_F(PaceWatchTest, WarnsOfSkippedTimeOnce) {
 TEST_F(PaceWatchTest, WarnsOfThinnedPosesOnce) {
   EXPECT_EQ("", look(0));
   for (std::size_t i = 0; i < MAX_WAITING_POSES + 3; ++i) commands_.add({ToolPose{0, {}}, "body", 0, START});
-  EXPECT_TRUE(has(look(2), "3 poses and jaws' angles of tools are left out so far"));
+  EXPECT_TRUE(has(look(2), "tool 'tool': 3 of its poses and jaw's angles are left out so far"));
   EXPECT_EQ("", look(4));
 }
 

@@ -74,9 +74,10 @@ class Listeners(unittest.TestCase):
             self.assertTrue(0 < mean < largest)
 
     def test_markers_have_a_colour_for_each_region(self):
-        markers = [m for m in self.next_of(self.arrays, 'markers').markers if m.type == Marker.TRIANGLE_LIST]
-        self.assertEqual([Marker.ADD, Marker.DELETE] * 2, [marker.action for marker in markers])
-        self.assertNotEqual(markers[0].color, markers[2].color)
+        markers = [m for m in self.next_of(self.arrays, 'markers').markers
+                   if m.type == Marker.TRIANGLE_LIST and m.action == Marker.ADD]
+        self.assertEqual(['skin', 'skin'], [marker.ns for marker in markers])
+        self.assertNotEqual(markers[0].color, markers[1].color)
         self.assertFalse(markers[0].colors)
 
 

@@ -51,6 +51,7 @@ class Agenda {
   /// Commands so far that arrived after their stamp had been passed, and poses left out.
   std::uint64_t late() const;
   std::uint64_t thinned() const;
+  std::uint64_t thinned(int tool) const;
 
  private:
   ToolQueue& at(int tool) { return tools_.at(static_cast<std::size_t>(tool)); }

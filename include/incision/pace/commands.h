@@ -62,6 +62,8 @@ class Commands {
   /// Commands so far that arrived after their stamp had been passed, and poses and angles left out.
   std::uint64_t late() const { return agenda_.late(); }
   std::uint64_t thinned() const { return agenda_.thinned(); }
+  std::uint64_t thinned(int tool) const { return agenda_.thinned(tool); }
+  const std::vector<std::string>& tools() const { return settings_.tools; }
 
   /// How many wait for the transform of their frame, and for their stamp or the next step.
   std::size_t waitingForTransform() const { return transforms_.size(); }

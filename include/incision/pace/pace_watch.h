@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "incision/pace/answers.h"
 #include "incision/pace/commands.h"
@@ -23,7 +24,7 @@ inline constexpr double OTHER_CLOCK = 3600;
 class PaceWatch {
  public:
   PaceWatch(const Pacer& pacer, const Commands& commands, Answers& answers)
-      : pacer_(pacer), commands_(commands), answers_(answers) {}
+      : pacer_(pacer), commands_(commands), answers_(answers), thinned_(commands.tools().size()) {}
 
   /// Does something only when WARNING_PERIOD has passed.
   void look(SteadyTime now);
@@ -38,7 +39,7 @@ class PaceWatch {
   Answers& answers_;
   SteadyTime last_look_;
   double skipped_ = 0;
-  std::uint64_t thinned_ = 0;
+  std::vector<std::uint64_t> thinned_;  ///< of each tool
 };
 
 }  // namespace incision

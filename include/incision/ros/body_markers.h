@@ -33,8 +33,8 @@ inline constexpr std::size_t ROUNDED_UP_TO = 10'000;
 
 /// The surface as lists of triangles, the skin and the cut faces, of the same points as long as the topology does not
 /// change; with the regions as colours, such a pair for each of them. Only stress has a colour for each point: rviz
-/// does not light those. What clamps hold are spheres, forces of loads are lines that end where they act. A marker with
-/// nothing in it is deleted.
+/// does not light those. All fields' lists are in each message, those of another field to be deleted. What clamps hold
+/// are spheres, forces of loads are lines that end where they act. A marker with nothing in it is deleted.
 visualization_msgs::MarkerArray toMarkers(const BodyView& view, const std::string& frame, const ros::Time& stamp);
 
 }  // namespace incision
