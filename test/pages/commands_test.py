@@ -27,7 +27,8 @@ BATCH = Shown('README.md', 'rosrun incision incision_batch organ.yaml --steps 50
 SET = Shown('README.md', 'rosrun incision incision_batch organ.yaml --steps 200')
 OWN_NODE = Shown('README.md', 'roslaunch incision incision.launch scene:=$PWD/organ.yaml')
 SLIT = Shown('msg/README.md', 'rosservice call /incision/reset')
-LIVE = Shown('msg/README.md', 'rosservice call /incision/set_parameters')
+LIVE = Shown('msg/README.md', "rosservice call /incision/set_parameters '{config: {doubles")
+STRESS = Shown('msg/README.md', "rosservice call /incision/set_parameters '{config: {strs")
 RESTORED = Shown('msg/README.md', 'roslaunch incision incision.launch checkpoint_folder')
 
 
@@ -61,6 +62,7 @@ class InTheNode(sessions.Commands):
         said = self.session.run('rostopic echo -n1 /incision/cut_report')
         self.assertIn('label: "slit"', said)
         self.assertIn('pieces: 1', said)
+        self.assertIn('value: "stress"', self.session.run(STRESS.text))
         for line in LIVE.lines():
             said = self.session.run(line)
             self.assertTrue('-1.62' in said or 'dynparam' in line, said)
