@@ -3,7 +3,8 @@
 # - quick: what test/run.sh runs by itself, some minutes on two cores. A test that takes 20 s or more is not quick.
 # - full: the slow ones. Of GoogleTest these are the tests whose suite or name starts with "Full" and all of
 #   *_full_test.cpp; of rostest *_full.test.
-# - realtime: the verdict depends on how busy the machine is, so these run one at a time: *_realtime.test.
+# - realtime: the verdict depends on how busy the machine is, so these run one at a time: *_realtime.test,
+#   *_realtime_test.py.
 # - report: the report's claims, see incision_report.
 # - fuzz: with INCISION_FUZZ, see incision_fuzzers.
 # - threads: with INCISION_SANITIZE=thread, see incision_threads.
@@ -124,13 +125,16 @@ if(INCISION_ROS AND NOT INCISION_SANITIZE)
     get_filename_component(name ${file} NAME_WE)
     string(REGEX REPLACE "_test$" "" name ${name})
     set(label quick)
-    if(name MATCHES "_full$")
-      set(label full)
+    if(name MATCHES "_(full|realtime)$")
+      set(label ${CMAKE_MATCH_1})
     endif()
     add_test(NAME ${label}.study.${name} COMMAND ${file})
     set_tests_properties(${label}.study.${name} PROPERTIES
       LABELS ${label} TIMEOUT 300
       ENVIRONMENT "INCISION_BATCH=$<TARGET_FILE:incision_batch>;INCISION_BUILD=${CMAKE_BINARY_DIR}")
+    if(label STREQUAL "realtime")
+      set_tests_properties(${label}.study.${name} PROPERTIES RUN_SERIAL ON)
+    endif()
   endforeach()
 endif()
 

@@ -13,7 +13,7 @@ import sys
 import time
 
 from study.errors import InputError
-from study.runs import record_of, runs_folder
+from study.runs import json_of, record_of, runs_folder
 
 # Most runs of a chunk: starting one costs some milliseconds, as one short run's twentieth part.
 MAX_CHUNK = 20
@@ -37,7 +37,7 @@ def command_of(run, study, program, folder):
     words = [str(program), *run.arguments]
     if study.record:
         words += ['--record', str(record_of(folder, run.name))]
-    words += ['--summary', str(runs_folder(folder) / f'{run.name}.json')]
+    words += ['--summary', str(json_of(folder, run.name))]
     return ' '.join(shlex.quote(word) for word in words)
 
 

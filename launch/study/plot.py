@@ -27,7 +27,11 @@ def is_wide(values):
 
 def draw(rows, varied, x, y, path):
     """Points of the runs, coloured by the first key of `varied` that is not on the x axis."""
-    import matplotlib  # takes half a second, and only pictures need it
+    try:
+        import matplotlib  # takes half a second, and only pictures need it
+    except ImportError:
+        raise InputError('--plot: matplotlib is not there (allowed: Debian\'s package '
+                         'python3-matplotlib installed)') from None
     matplotlib.use('Agg')
     from matplotlib import pyplot
 

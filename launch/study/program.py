@@ -151,10 +151,10 @@ def run_study(arguments, study, folder, runs, program, descriptor):
     """Runs what is to be run, or writes the script that will. Returns the program's exit status."""
     outcomes = [(run, outcome_of(folder, run)[0]) for run in runs]
     pending = [run for run, state in outcomes if state == WAITING or (arguments.retry_failed and state == FAILED)]
-    forget(folder, pending)  # what is not whole, or has failed
     ended_by = None
     if pending:
         try_first(pending[0], program)
+    forget(folder, pending)  # what is not whole, or has failed
     if pending and arguments.slurm:
         chunks = engine.write_chunks(folder, study, pending, program, engine.even_sizes(len(pending), arguments.tasks))
         script = engine.write_slurm(folder, study, chunks, arguments.jobs)

@@ -1,5 +1,6 @@
 """The runs of a study: their values, their commands, and what has become of each."""
 
+import contextlib
 import dataclasses
 import hashlib
 import itertools
@@ -62,10 +63,14 @@ def record_of(folder, name):
     return runs_folder(folder) / f'{name}.csv'
 
 
+def json_of(folder, name):
+    return runs_folder(folder) / f'{name}.json'
+
+
 def read_json(folder, name):
     """What a run has said in the end, or None where that is not there or not whole."""
     try:
-        text = (runs_folder(folder) / f'{name}.json').read_text(encoding='utf-8')
+        text = json_of(folder, name).read_text(encoding='utf-8')
         result = json.loads(text)
     except (OSError, ValueError):
         return None
@@ -75,10 +80,10 @@ def read_json(folder, name):
 def outcome_of(folder, run):
     """(state, what it said in the end or None, why it failed)."""
     line = read_json(folder, run.name)
-    try:
-        return FAILED, line, (runs_folder(folder) / f'{run.name}.failed').read_text(errors='replace').strip()
-    except OSError:
-        pass  # there is no such file
+    failed = runs_folder(folder) / f'{run.name}.failed'
+    with contextlib.suppress(OSError):  # there is no such file
+        if line is None or failed.stat().st_mtime_ns >= json_of(folder, run.name).stat().st_mtime_ns:
+            return FAILED, line, failed.read_text(errors='replace').strip()
     if line is None or line.get('interrupted'):
         return WAITING, None, ''
     return (FAILED, line, str(line['failure'])) if line.get('failure') else (DONE, line, '')

@@ -112,10 +112,10 @@ case "$*" in
   *gravity=*-1]*) kill -SEGV $$ ;;
   *gravity=*-2]*) exec "$REAL" "$@" --set gravity=[0,0,-1.0e308] ;;
   *gravity=*-3]*) exec "$REAL" "$@" --set gravity=nothing ;;
-  *gravity=*-4]*) exec "$REAL" "$@" --steps 10000000 ;;
+  *gravity=*-4]*) exec sleep 1000 ;;
 esac
 exec "$REAL" "$@"''')
-        study = self.write('scene: scene.yaml\nsteps: 1\ntime_limit: 0.5\nvary: {gravity: '
+        study = self.write('scene: scene.yaml\nsteps: 1\ntime_limit: 3\nvary: {gravity: '
                            '[[0, 0, -1], [0, 0, -2], [0, 0, -3], [0, 0, -4], [0, 0, -5]]}\n')
         _, err = self.study(study, status=1, batch=batch)
         self.assertIn('1 of 5 runs are done, 4 failed', err)
@@ -127,11 +127,14 @@ exec "$REAL" "$@"''')
         self.assertEqual(reasons['-4'], 'it took longer than its time limit')
         self.assertEqual(reasons['-5'], '')
         self.assertEqual([row['status'] for row in self.table()], ['failed'] * 4 + ['done'])
-        self.assertEqual([bool(row['steps']) for row in self.table()], [False, True, False, True, True])
+        self.assertEqual([bool(row['steps']) for row in self.table()], [False, True, False, False, True])
 
         self.assertIn('4 failed', self.study(study, status=1)[1])
         self.assertEqual(self.study(study, '--list')[0], '')
         self.assertEqual(self.study(study, '--list', '--retry-failed')[0].count('\n'), 4)
+        by_hand = self.study(study, '--list', '--retry-failed')[0].splitlines()[0]
+        subprocess.run(by_hand, shell=True, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.assertIn('2 of 5 runs are done, 3 failed', self.study(study, status=1)[1])
         self.assertIn('5 of 5 runs are done', self.study(study, '--retry-failed')[1])
         self.assertEqual({row['status'] for row in self.table()}, {'done'})
 

@@ -1,6 +1,7 @@
 #include <rosgraph_msgs/Clock.h>
 
 #include <cmath>
+#include <map>
 
 #include "bag_run.h"
 #include "incision/body/quantities.h"
@@ -75,10 +76,18 @@ TEST_F(BagRun, EveryCutIsAnswered) {
     bad.normal.x = 0;
     write(bad);
   }
-  const Json counts = summaryOf("answers.bag")["bag"];
+  const Json line = summaryOf("answers.bag"), counts = line["bag"];
   EXPECT_EQ(1, counts["cuts_applied"]);
   EXPECT_EQ(1, counts["cuts_missed"]);
   EXPECT_EQ(3, counts["cuts_rejected"]);
+  std::map<std::string, std::string> answers;
+  for (const Json& cut : line["cuts"]) answers[cut["label"]] = cut["status"];
+  EXPECT_EQ(answers, (std::map<std::string, std::string>{{"applied", "applied"},
+                                                         {"beside", "missed"},
+                                                         {"nowhere", "rejected"},
+                                                         {"far", "rejected"},
+                                                         {"bad", "rejected"}}));
+  EXPECT_EQ(runBag({file("answers.bag"), file("plain.yaml"), "--strict"}), BatchStatus::CUT_MISSED);
   for (const char* said : {"cut 'beside' at 0.6 s missed", "cut 'nowhere' at ", "cut 'bad' at 0.4",
                            "cut 'far' at 4.01 s was rejected: the run has ended"})
     EXPECT_NE(err_.str().find(said), std::string::npos) << said << " in\n" << err_.str();
