@@ -90,7 +90,8 @@ class StoppedSubscriber(unittest.TestCase):
             pid = node_pid()
             memory = resident(pid)
             stopped = step_time(rospy.get_param('~seconds'))
-            self.assertLess(stopped, SLOWER * before)
+            if rospy.get_param('~timed'):
+                self.assertLess(stopped, SLOWER * before)
             self.assertLess(resident(pid) - memory, GROWTH)
             print(f'a step takes {1e6 * before:.0f} us with a listener, {1e6 * stopped:.0f} us with one that has stopped')
         finally:
