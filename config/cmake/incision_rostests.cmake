@@ -16,3 +16,7 @@ foreach(file IN LISTS rostests)
     set_tests_properties(${test} PROPERTIES RUN_SERIAL ON)
   endif()
 endforeach()
+
+# Which a test has loaded before the node's libraries.
+add_library(incision_refusing_new SHARED EXCLUDE_FROM_ALL test/ros/refusing_new.cpp)
+add_dependencies(tests incision_refusing_new)

@@ -3,16 +3,6 @@
 #include <utility>
 
 namespace incision {
-namespace {
-
-std::vector<PlaneCut> planesOf(std::vector<WaitingCut> cuts) {
-  std::vector<PlaneCut> planes;
-  for (WaitingCut& cut : cuts) planes.push_back(std::move(cut.plane));
-  return planes;
-}
-
-}  // namespace
-
 void Agenda::countIfLate(Nanoseconds stamp) {
   if (stamp > 0 && stamp <= taken_) ++late_;
 }
@@ -46,10 +36,10 @@ void Agenda::activate(int tool, bool active) {
   at(tool).activate(active);
 }
 
-std::vector<PlaneCut> Agenda::takeCuts(Nanoseconds time) {
+std::vector<WaitingCut> Agenda::takeCuts(Nanoseconds time) {
   const std::lock_guard<std::mutex> lock(mutex_);
   noteTaken(time);
-  return planesOf(cuts_.take(time));
+  return cuts_.take(time);
 }
 
 ToolInput Agenda::takeTool(int tool, Nanoseconds time) {
@@ -58,11 +48,11 @@ ToolInput Agenda::takeTool(int tool, Nanoseconds time) {
   return at(tool).take(time);
 }
 
-std::vector<PlaneCut> Agenda::clear(const std::vector<bool>& active) {
+std::vector<WaitingCut> Agenda::clear(const std::vector<bool>& active) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].clear(active.empty() || active.at(i));
   taken_ = 0;
-  return planesOf(cuts_.takeAll());
+  return cuts_.takeAll();
 }
 
 std::size_t Agenda::size() const {

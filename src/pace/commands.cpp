@@ -74,7 +74,7 @@ bool Commands::waitsFor(Nanoseconds time) const {
 /// In this order: what leaves the one for the other meanwhile is met there.
 void Commands::refuseAll(const Refused& refused, const std::vector<bool>& active) {
   transforms_.clear(refused);
-  for (const PlaneCut& plane : agenda_.clear(active)) answers_.refuseCut(plane.label, refused);
+  for (const WaitingCut& cut : agenda_.clear(active)) answers_.refuseCut(cut.plane.label, refused);
 }
 
 std::string Commands::nameOf(const Command& command) const {

@@ -34,13 +34,16 @@ bool StepInput::stepDue() const {
 /// Stamped commands are taken together when their step is due, since they may arrive in another order.
 bool StepInput::applyCuts(bool step_due) {
   const Nanoseconds time = paused_ ? pacer_.clock() : step_due ? pacer_.nextStart() : 0;
-  const std::vector<PlaneCut> cuts = commands_.takeCuts(time);
-  for (const PlaneCut& plane : cuts) {
+  const std::vector<WaitingCut> cuts = commands_.takeCuts(time);
+  for (const WaitingCut& cut : cuts) {
+    CutResult result;
     try {
-      answers_.report(body_.cut(plane));
+      result = body_.cut(cut.plane);
     } catch (const std::exception& error) {
-      answers_.refuseCut(plane.label, {Refusal::BY_BODY, error.what()});
+      answers_.refuseCut(cut.plane.label, {Refusal::BY_BODY, error.what()});
+      continue;
     }
+    answers_.report(result);
   }
   return !cuts.empty();
 }

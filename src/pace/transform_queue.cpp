@@ -29,12 +29,20 @@ void TransformQueue::poll(SteadyTime now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::list<Command> due;
   due.swap(waiting_);
-  for (const Command& command : due) {
-    if (!overtakes(command) && tryRelease(command)) continue;
-    if (now < command.received + timeout_)
-      waiting_.push_back(command);
-    else
-      refuse_(command, {Refusal::NO_TRANSFORM, whyNot(command)});
+  try {
+    while (!due.empty()) {
+      const Command& command = due.front();
+      const bool released = !overtakes(command) && tryRelease(command);
+      if (!released && now < command.received + timeout_) {
+        waiting_.splice(waiting_.end(), due, due.begin());
+        continue;
+      }
+      if (!released) refuse_(command, {Refusal::NO_TRANSFORM, whyNot(command)});
+      due.pop_front();
+    }
+  } catch (...) {
+    waiting_.splice(waiting_.end(), due);  // of memory: they are looked at again
+    throw;
   }
 }
 

@@ -25,7 +25,10 @@ CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, 
   poll_ = commands.createWallTimer(
       ros::WallDuration(TRANSFORM_POLL),
       [this](const ros::WallTimerEvent&) {
-        commands_.poll(now());
+        try {
+          commands_.poll(now());
+        } catch (const std::bad_alloc&) {  // looked at again at the next poll
+        }
         if (!commands_.waitForTransforms()) poll_.stop();
       },
       false, false);
@@ -37,7 +40,7 @@ void CommandInput::subscribe(ros::NodeHandle& node, const std::string& topic, co
   subscribers_.push_back(node.subscribe<Message>(
       topic, MESSAGE_QUEUE,
       [this, receive](const boost::shared_ptr<const Message>& message) {
-        receive(*message, now());
+        receive(*message, now());  // which answers what it has no memory for
         if (commands_.waitForTransforms()) poll_.start();
       },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));

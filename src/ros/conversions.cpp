@@ -6,8 +6,6 @@
 #include <type_traits>
 #include <variant>
 
-#include "incision/body/quantities.h"
-
 namespace incision {
 
 Vec3 toVec3(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
@@ -133,11 +131,8 @@ const std::map<std::string, Setter> FIELDS = {{"nodes", into(&BodyState::nodes)}
 
 }  // namespace
 
-void fillState(const DeformableBody& body, const StepResult& last_step, BodyState* state) {
-  state->step = body.steps();
-  state->time = body.time();
-  state->state_hash = hexadecimal(body.stateHash());
-  for (const Quantity& quantity : quantitiesOf(body, last_step)) FIELDS.at(quantity.name)(quantity, state);
+void fillState(const std::vector<Quantity>& quantities, BodyState* state) {
+  for (const Quantity& quantity : quantities) FIELDS.at(quantity.name)(quantity, state);
 }
 
 void fillRegions(const Regions& regions, const std::vector<RegionStress>& stress, BodyState* state) {

@@ -50,8 +50,11 @@ void Diagnostics::run() {
     next += std::chrono::duration_cast<SteadyTime::duration>(period_);
     wakeup_.waitUntil(next);
     if (stopping_) return;
-    gather();
-    updater_.force_update();
+    try {
+      gather();
+      updater_.force_update();
+    } catch (const std::bad_alloc&) {  // the next diagnosis may find memory, and says how little there is
+    }
   }
 }
 

@@ -101,7 +101,7 @@ void MarkerPublisher::offer(const DeformableBody& body, const std::vector<Pose>&
 void MarkerPublisher::addBody(const DeformableBody& body, Snapshot* snapshot) {
   if (!topology_ || topology_version_ != body.topologyVersion()) {
     topology_ = std::make_shared<Topology>(body);
-    topology_version_ = body.topologyVersion();
+    topology_version_ = body.topologyVersion();  // which the body may have had to find its surface anew for
   }
   if (snapshot->needsStress() && !topology_->mesh) {
     topology_ = std::make_shared<Topology>(*topology_);  // the thread may be reading the other one
@@ -201,7 +201,11 @@ void MarkerPublisher::publishBody(const Snapshot& snapshot, const ros::Time& sta
 
 void MarkerPublisher::run() {
   while (!stopping_) {
-    if (const auto snapshot = take()) publish(*snapshot);
+    try {
+      if (const auto snapshot = take()) publish(*snapshot);
+    } catch (const std::bad_alloc&) {  // the next one may find memory
+      stress_.reset();
+    }
     wakeup_.waitUntil(SteadyTime::max());
   }
 }

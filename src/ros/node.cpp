@@ -14,14 +14,14 @@
 namespace incision {
 namespace {
 
-/// States that may wait for a slow subscriber: a few seconds of steps.
-constexpr std::uint32_t STATE_QUEUE = 500;
-
 /// Clock messages that may wait while a service is answered.
 constexpr std::uint32_t CLOCK_QUEUE = 1000;
 
 /// The state is published this often while no steps are taken, and shutting down is noticed.
 constexpr std::chrono::milliseconds HEARTBEAT(100);
+
+/// Short enough for a string that takes nothing from the heap.
+constexpr const char* OUT_OF_MEMORY = "memory ran out";
 
 std::unique_ptr<Pacer> makePacer(const NodeSettings& settings) {
   const double time_step = settings.scene.solver.time_step;
@@ -49,7 +49,7 @@ IncisionNode::IncisionNode()
       markers_(node_, settings_, body_),
       first_steps_(settings_.scene.solver.time_step),
       slowness_(settings_.scene.solver.time_step, settings_.scene.contact && settings_.scene.contact->self),
-      state_(&publishing_, node_.advertise<BodyState>("state", STATE_QUEUE), STATE_QUEUE),
+      state_(node_, body_),
       pause_service_(node_.advertiseService("pause", &IncisionNode::pauseService, this)),
       step_service_(node_.advertiseService("step", &IncisionNode::stepService, this)),
       reset_service_(node_.advertiseService("reset", &IncisionNode::resetService, this)),
@@ -83,7 +83,7 @@ IncisionNode::IncisionNode()
   if (auto* pacer = dynamic_cast<ClockPacer*>(pacer_.get()))
     clock_ = node_.subscribe<rosgraph_msgs::Clock>(
         "/clock", CLOCK_QUEUE, [this, pacer](const rosgraph_msgs::Clock::ConstPtr& message) {
-          pacer->tick(now(), static_cast<Nanoseconds>(message->clock.toNSec()));
+          guarded([&] { pacer->tick(now(), static_cast<Nanoseconds>(message->clock.toNSec())); });
           wakeup_.notify();
         });
   checkpoints_.restoreAtStart();
@@ -98,20 +98,32 @@ IncisionNode::~IncisionNode() {
   reporter_.flush();
 }
 
+/// A part of what a turn does may find no memory: then that part is left out, and the node goes on.
+template <class Part>
+void IncisionNode::guarded(const Part& part) {
+  try {
+    part();
+  } catch (const std::bad_alloc&) {
+    reporter_.warn(OUT_OF_MEMORY, OUT_OF_MEMORY);
+  }
+}
+
 void IncisionNode::run() {
   slowness_.restart(now());
   while (!endAsked()) {
-    bool changed = tasks_.run();
-    const StepInput::Due due = step_input_.update(now());
+    bool changed = false;
+    StepInput::Due due;
+    guarded([&] { changed = tasks_.run(); });
+    guarded([&] { due = step_input_.update(now()); });
     if (due.step) step();
     changed |= due.cut || due.step;
-    if (changed || now() >= next_heartbeat_) publishState();
+    if (changed || now() >= next_heartbeat_) guarded([&] { publishState(); });
     publishing_.flush();
-    tellCondition();
-    watch_.look(now());
-    tellSlowness();
-    checkpoints_.offer(now(), body_.topologyVersion());
-    markers_.offer(body_, step_input_.obstaclePoses(), last_step_, wantsRegionStress(), now());
+    guarded([&] { tellCondition(); });
+    guarded([&] { watch_.look(now()); });
+    guarded([&] { tellSlowness(); });
+    guarded([&] { checkpoints_.offer(now(), body_.topologyVersion()); });
+    guarded([&] { markers_.offer(body_, step_input_.obstaclePoses(), last_step_, wantsRegionStress(), now()); });
     if (!due.step) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
 }
@@ -120,10 +132,12 @@ void IncisionNode::step() {
   const bool taken = tryStep();
   if (taken) {
     step_input_.stepTaken();
-    real_time_factor_.add(now(), body_.time());
-    diagnostics_.stepTaken(last_step_);
-    slowness_.stepTaken(last_step_);
-    if (const auto pace = first_steps_.add(last_step_.step_ms)) reporter_.inform(*pace);
+    guarded([&] {
+      real_time_factor_.add(now(), body_.time());
+      diagnostics_.stepTaken(last_step_);
+      slowness_.stepTaken(last_step_);
+      if (const auto pace = first_steps_.add(last_step_.step_ms)) reporter_.inform(*pace);
+    });
   }
   reportChanges();
 }
@@ -133,33 +147,44 @@ bool IncisionNode::tryStep() {
     step_input_.lead(now());
     body_.wantWrenches(markers_.wantsContacts());
     last_step_ = body_.step();
-    for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].publish(last_step_, body_, step_input_.tools()[i]);
-    publishing_.flush();
-    if (!last_step_.settled)
-      reporter_.warn("settling",
-                     std::to_string(body_.unsettledSteps()) + " steps so far whose contacts did not settle");
-    error_.clear();
-    return true;
+  } catch (const std::bad_alloc&) {
+    stepFailed(OUT_OF_MEMORY);
+    return false;
   } catch (const std::exception& error) {
     stepFailed(error.what());
     return false;
   }
+  error_.clear();
+  guarded([&] { tellStep(); });
+  return true;
+}
+
+/// To those who wait for it: how the tools are.
+void IncisionNode::tellStep() {
+  for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].publish(last_step_, body_, step_input_.tools()[i]);
+  publishing_.flush();
+  if (!last_step_.settled)
+    reporter_.warn("settling", std::to_string(body_.unsettledSteps()) + " steps so far whose contacts did not settle");
 }
 
 /// Each change once, and those before a failure of the step too.
 void IncisionNode::reportChanges() {
+  const Reports told{std::exchange(last_step_.cuts, {}), std::exchange(last_step_.cracks, {})};
   const Reports untold = body_.takeReports();
-  for (const auto& cuts : {std::exchange(last_step_.cuts, {}), untold.cuts})
-    for (const CutResult& result : cuts) reporter_.report(result);
-  for (const auto& cracks : {std::exchange(last_step_.cracks, {}), untold.cracks})
-    for (const CrackResult& result : cracks) reporter_.report(result);
+  for (const Reports* reports : {&told, &untold}) {
+    for (const CutResult& result : reports->cuts) reporter_.report(result);
+    for (const CrackResult& result : reports->cracks) reporter_.report(result);
+  }
 }
 
-void IncisionNode::stepFailed(const std::string& why) {
-  error_ = why;
+void IncisionNode::stepFailed(const char* why) {
   setPaused(true);
-  ROS_ERROR_STREAM("paused, because a step failed: " << why
-                                                     << " (~reset starts anew, ~restore goes back to a checkpoint)");
+  error_ = OUT_OF_MEMORY;
+  guarded([&] {
+    error_ = why;
+    ROS_ERROR_STREAM("paused, because a step failed: " << why
+                                                       << " (~reset starts anew, ~restore goes back to a checkpoint)");
+  });
 }
 
 void IncisionNode::setPaused(bool paused) {
@@ -210,7 +235,6 @@ void IncisionNode::publishState() {
   BodyState state;
   state.header.stamp = ros::Time::now();
   state.header.frame_id = settings_.scene.body.frame;
-  fillState(body_, last_step_, &state);
   state.paused = step_input_.paused();
   state.error = error_;
   state.step_ms = last_step_.step_ms;
@@ -231,7 +255,7 @@ void IncisionNode::publishState() {
     state.tools.push_back(tools_[i].state(last_step_, body_, step_input_.tools()[i]));
     state.tools.back().refused = reporter_.refusedOf(i);
   }
-  state_.give([&](BodyState* message) { std::swap(*message, state); });
+  state_.give(last_step_, &state);
 }
 
 void IncisionNode::tellCondition() {
@@ -281,9 +305,13 @@ bool IncisionNode::stepService(Trigger::Request&, Trigger::Response& response) {
 
 bool IncisionNode::resetService(Trigger::Request&, Trigger::Response& response) {
   return tasks_.ask([&] {
-    reset();
-    response.success = true;
-    response.message = "at step 0";
+    try {
+      reset();
+      response.success = true;
+      response.message = "at step 0";
+    } catch (const std::bad_alloc&) {
+      response.message = OUT_OF_MEMORY;
+    }
   });
 }
 

@@ -1,6 +1,12 @@
 #include "incision/ros/publishing_thread.h"
 
 namespace incision {
+namespace {
+
+/// How long to wait for memory where there was none for a message.
+constexpr std::chrono::milliseconds MEMORY_PAUSE(100);
+
+}  // namespace
 
 PublishingThread::PublishingThread() : thread_([this] { run(); }) {}
 
@@ -22,10 +28,19 @@ void PublishingThread::sendAll() {
 
 void PublishingThread::run() {
   while (!stopping_) {
-    sendAll();
-    wakeup_.waitUntil(SteadyTime::max());
+    const bool sent = trySendAll();
+    wakeup_.waitUntil(sent ? SteadyTime::max() : std::chrono::steady_clock::now() + MEMORY_PAUSE);
   }
-  sendAll();
+  trySendAll();
+}
+
+bool PublishingThread::trySendAll() {
+  try {
+    sendAll();
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 }  // namespace incision

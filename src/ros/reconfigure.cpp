@@ -49,13 +49,18 @@ bool Reconfigure::answer(Service::Request& request, Service::Response& response)
 }
 
 void Reconfigure::receive(const dynamic_reconfigure::Config& message) {
-  tasks_.ask([&] { take(message, subscriber_.getTopic()); });
+  try {
+    tasks_.ask([&] { take(message, subscriber_.getTopic()); });
+  } catch (const std::bad_alloc&) {
+    refuse_({Refusal::BY_BODY, "memory ran out"});
+  }
 }
 
 void Reconfigure::take(const dynamic_reconfigure::Config& message, const std::string& source) {
   try {
-    now_ = changed(now_, message, source);
-    apply_(now_);
+    const NodeLiveSettings next = changed(now_, message, source);
+    apply_(next);
+    now_ = next;
   } catch (const InputError& error) {
     refuse_({kindOf(message), error.what()});
   }

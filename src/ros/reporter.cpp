@@ -18,6 +18,20 @@ constexpr std::uint32_t REPORT_QUEUE = 2 * (MAX_WAITING_CUTS + MAX_WAITING_FOR_T
 /// sockets, which hold more than all reports there can be. Writing these takes a few milliseconds.
 constexpr double FLUSH_TIME = 0.2;
 
+/// Where there is no memory for a report, it is tried again after so long [s], so often: another program may give some
+/// back, and who asked for a cut waits for the report.
+constexpr double MEMORY_PAUSE = 0.01;
+constexpr int MEMORY_TRIALS = 100;
+
+/// What is only told does no harm where there is no memory to tell it.
+template <class Tell>
+void tellIfPossible(const Tell& tell) {
+  try {
+    tell();
+  } catch (const std::bad_alloc&) {
+  }
+}
+
 }  // namespace
 
 Reporter::Reporter(ros::NodeHandle& node, const Scene& scene, PublishingThread* thread)
@@ -33,53 +47,83 @@ Reporter::Reporter(ros::NodeHandle& node, const Scene& scene, PublishingThread* 
 void Reporter::setPieces(int pieces) { pieces_ = pieces; }
 
 void Reporter::report(const CutResult& result) {
-  if (result.status == CutStatus::REJECTED)
-    count("a cut", "the cut '" + printable(result.label) + "'", {Refusal::BY_BODY, result.reason});
-  setPieces(result.pieces);
+  if (result.status == CutStatus::REJECTED) {
+    count(Refusal::BY_BODY);
+    tellIfPossible([&] {
+      warnOfRefused("a cut", "the cut '" + printable(result.label) + "'", {Refusal::BY_BODY, result.reason});
+    });
+  }
+  // Where the pieces could not be counted there are still those that were.
+  if (result.pieces > 0) setPieces(result.pieces);
   publish(result);
 }
 
 void Reporter::report(const CrackResult& result) {
   if (result.change == CrackChange::STOPPED) warn("stopped cracks", "a limit of parts or copies stopped a crack");
   if (!crack_events_.wanted()) return;
-  crack_events_.give([&](CrackEvent* event) {
-    *event = toEvent(result);
-    event->header.stamp = ros::Time::now();
-    event->header.frame_id = body_frame_;
+  giveInTime([&] {
+    crack_events_.give([&](CrackEvent* event) {
+      *event = toEvent(result);
+      event->header.stamp = ros::Time::now();
+      event->header.frame_id = body_frame_;
+    });
   });
+}
+
+/// Gives a message to those who listen, as soon as there is memory for it.
+template <class Give>
+void Reporter::giveInTime(const Give& give) {
+  for (int trial = 0; trial < MEMORY_TRIALS; ++trial) {
+    try {
+      give();
+      break;
+    } catch (const std::bad_alloc&) {
+      ros::WallDuration(MEMORY_PAUSE).sleep();
+    }
+  }
   thread_->flush();
 }
 
 void Reporter::refuseCut(const std::string& label, const Refused& refused) {
-  count("a cut", "the cut '" + printable(label.substr(0, MAX_LABEL)) + "'", refused);
-  CutResult result;
-  result.label = label.substr(0, MAX_LABEL);
-  result.status = CutStatus::REJECTED;
-  result.reason = refused.reason;
-  result.pieces = pieces_;
-  publish(result);
+  count(refused.kind);
+  tellIfPossible([&] { warnOfRefused("a cut", "the cut '" + printable(label.substr(0, MAX_LABEL)) + "'", refused); });
+  giveInTime([&] {
+    CutResult result;
+    result.label = label.substr(0, MAX_LABEL);
+    result.status = CutStatus::REJECTED;
+    result.reason = refused.reason;
+    result.pieces = pieces_;
+    give(result);
+  });
 }
 
 void Reporter::refuseTool(int tool, const Refused& refused) {
   ++of_tools_[static_cast<std::size_t>(tool)];
-  const std::string whose = "a message to the tool '" + tools_[static_cast<std::size_t>(tool)] + "'";
-  count(whose, whose, refused);
+  count(refused.kind);
+  tellIfPossible([&] {
+    const std::string whose = "a message to the tool '" + tools_[static_cast<std::size_t>(tool)] + "'";
+    warnOfRefused(whose, whose, refused);
+  });
 }
 
 void Reporter::refuseSettings(const Refused& refused) {
-  count("what was to be set anew", "what was to be set anew", refused);
+  count(refused.kind);
+  tellIfPossible([&] { warnOfRefused("what was to be set anew", "what was to be set anew", refused); });
 }
 
-void Reporter::count(const std::string& about, const std::string& what, const Refused& refused) {
-  ++counts_[static_cast<int>(refused.kind)];
+void Reporter::warnOfRefused(const std::string& about, const std::string& what, const Refused& refused) {
   warn("refused " + about, "refused " + what + ": " + refused.reason);
 }
 
 void Reporter::warn(const std::string& about, const std::string& text) {
-  if (throttle_.lets(about, std::chrono::steady_clock::now())) ROS_WARN_STREAM(text);
+  tellIfPossible([&] {
+    if (throttle_.lets(about, std::chrono::steady_clock::now())) ROS_WARN_STREAM(text);
+  });
 }
 
-void Reporter::inform(const std::string& text) { ROS_INFO_STREAM(text); }
+void Reporter::inform(const std::string& text) {
+  tellIfPossible([&] { ROS_INFO_STREAM(text); });
+}
 
 void Reporter::flush() {
   thread_->sendAll();
@@ -87,12 +131,15 @@ void Reporter::flush() {
 }
 
 void Reporter::publish(const CutResult& result) {
+  giveInTime([&] { give(result); });
+}
+
+void Reporter::give(const CutResult& result) {
   cut_reports_.give([&](CutReport* report) {
     *report = toReport(result);
     report->header.stamp = ros::Time::now();
     report->header.frame_id = body_frame_;
   });
-  thread_->flush();
 }
 
 std::array<std::uint64_t, NUM_REFUSALS> Reporter::counts() const {

@@ -13,12 +13,7 @@ void StepTally::add(const StepResult& step) {
   divided += step.divided ? 1 : 0;
   step_ms += step.step_ms;
   longest_ms = std::max(longest_ms, step.step_ms);
-  phase_ms.cut += step.phase_ms.cut;
-  phase_ms.fracture += step.phase_ms.fracture;
-  phase_ms.contact += step.phase_ms.contact;
-  phase_ms.assembly += step.phase_ms.assembly;
-  phase_ms.solve += step.phase_ms.solve;
-  phase_ms.update += step.phase_ms.update;
+  phase_ms += step.phase_ms;
   if (step.iterations > 0) residual = std::max(residual, step.residual);
   iterations = std::max(iterations, step.iterations);
 }

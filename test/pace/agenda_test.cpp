@@ -19,7 +19,7 @@ TEST(Agenda, CommandsComeInTheOrderOfStampsThenOfArrival) {
   agenda.add(labelled("a"), 10);
   agenda.add(labelled("b"), 10);
   std::string labels;
-  for (const PlaneCut& plane : agenda.takeCuts(20)) labels += plane.label;
+  for (const WaitingCut& cut : agenda.takeCuts(20)) labels += cut.plane.label;
   EXPECT_EQ("abc", labels);
 }
 

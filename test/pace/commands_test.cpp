@@ -37,7 +37,7 @@ class CommandsTest : public ::testing::Test {
     EXPECT_EQ(asked_, answered);
   }
   void take(Nanoseconds time) {
-    for (const PlaneCut& plane : commands_.takeCuts(time)) taken_.push_back(plane.label);
+    for (const WaitingCut& cut : commands_.takeCuts(time)) taken_.push_back(cut.plane.label);
   }
 
   FramesInTests frames_;

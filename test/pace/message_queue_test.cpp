@@ -68,5 +68,24 @@ TEST(MessageQueue, WritesOverOlderMessages) {
   EXPECT_EQ(first, third);
 }
 
+TEST(MessageQueue, LosesNothingWhereMemoryRunsOut) {
+  MessageQueue<int> queue(10);
+  give(&queue, 0, 2);
+  EXPECT_THROW(queue.give([](int*) { throw std::bad_alloc(); }), std::bad_alloc);
+  give(&queue, 2, 5);
+  std::vector<int> sent;
+  const auto send = [&](int message) {
+    if (message == 3 && sent.back() == 2 && sent.size() == 3) {
+      sent.push_back(-1);  // this trial
+      throw std::bad_alloc();
+    }
+    sent.push_back(message);
+  };
+  EXPECT_THROW(queue.sendAll(send), std::bad_alloc);
+  give(&queue, 5, 6);
+  queue.sendAll(send);
+  EXPECT_EQ(sent, (std::vector<int>{0, 1, 2, -1, 3, 4, 5}));
+}
+
 }  // namespace
 }  // namespace incision

@@ -11,7 +11,8 @@ from incision_client import Client, checkpoint_service, cut_plane, time_of, tool
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-SAVED, END = 12, 30  # [steps]
+BATCH = 18  # steps whose commands are sent at once
+SHARE = 30  # of the way from one end of a tool's path to the other, in the shortest run [steps]
 
 
 class Checkpoints(unittest.TestCase):
@@ -24,6 +25,7 @@ class Checkpoints(unittest.TestCase):
         cls.client = cls.scalpel
         cls.client.wait_for(cls.tf.get_num_connections, 'the node to listen to tf')
         cls.save, cls.restore = checkpoint_service('save'), checkpoint_service('restore')
+        cls.saved, cls.end = rospy.get_param('~saved'), rospy.get_param('~end')  # [steps]
 
     def setUp(self):
         self.client.reset()
@@ -32,16 +34,28 @@ class Checkpoints(unittest.TestCase):
     def tick(self):
         self.clock_publisher.publish(Clock(time_of(self.ticks)))
 
+    def on_the_way(self, step):
+        """As many steps of the shortest run."""
+        return step * SHARE / self.end
+
     def send_hand(self, step, stamp):
         """The clamp's frame, every third step only: it is then led there over three."""
         transform = TransformStamped()
         transform.header.stamp, transform.header.frame_id, transform.child_frame_id = stamp, 'body', 'hand'
-        transform.transform.translation.x = -1e-4 * step
+        transform.transform.translation.x = -1e-4 * self.on_the_way(step)
         transform.transform.rotation.w = 1
         self.tf.publish(TFMessage([transform]))
 
     def run_steps(self, first, last, cuts=()):
         """Takes the steps from `first` to `last`, with what is commanded in them: the hash after each."""
+        hashes = []
+        while first < last:
+            end = min(last, first + BATCH)
+            hashes += self.run_batch(first, end, cuts)
+            first = end
+        return hashes
+
+    def run_batch(self, first, last, cuts):
         start, sent = self.ticks + 1, 0
         for k in range(first, last):
             if k % 3 == 0:
@@ -50,20 +64,20 @@ class Checkpoints(unittest.TestCase):
             stamp = time_of(start + k - first)
             sent += 1 + (k % 2 == 0) + (k in cuts)
             if k % 2 == 0:  # led there over two steps
-                self.scalpel.move_tool(stamped(tool_pose((0.03, -0.015 + 0.001 * k, 0.01)), stamp))
-            self.hook.move_tool(stamped(tool_pose((0.05, 0.015 - 0.001 * k, 0.01)), stamp))
+                self.scalpel.move_tool(stamped(tool_pose((0.03, -0.015 + 0.001 * self.on_the_way(k), 0.01)), stamp))
+            self.hook.move_tool(stamped(tool_pose((0.05, 0.015 - 0.001 * self.on_the_way(k), 0.01)), stamp))
             if k in cuts:
-                self.client.send(cut_plane(stamp=stamp, label=f'at {k}', point=(0.015 if k < SAVED else 0.065, 0, 0)))
+                self.client.send(cut_plane(stamp=stamp, label=f'at {k}', point=(0.015 if k < self.saved else 0.065, 0, 0)))
         waiting = sent + self.far_cuts
         self.client.wait_for(lambda: self.client.state.waiting_for_step == waiting, 'the commands to be known')
-        hashes = []
-        for k in range(first, last):
+        seen = len(self.client.states)
+        for _ in range(first, last):
             type(self).ticks += 1
             self.tick()
-            self.client.wait_for(lambda k=k: self.client.state.step == k + 1, f'step {k + 1}')
-            hashes.append(self.client.state.state_hash)
+        self.client.wait_for(lambda: self.client.state.step == last, f'step {last}')
         self.assertEqual(0, self.client.state.late_commands)
-        return hashes
+        hashes = {state.step: state.state_hash for state in self.client.states[seen:]}
+        return [hashes[k + 1] for k in range(first, last)]
 
     def call(self, service, name):
         answer = service(name)
@@ -71,19 +85,19 @@ class Checkpoints(unittest.TestCase):
         return answer
 
     def test_branches_of_a_body_are_as_if_it_had_never_been_saved(self):
-        self.run_steps(0, SAVED, cuts=[5])
-        self.assertEqual(SAVED, self.call(self.save, 'middle').step)
-        on = self.run_steps(SAVED, END)
+        self.run_steps(0, self.saved, cuts=[5])
+        self.assertEqual(self.saved, self.call(self.save, 'middle').step)
+        on = self.run_steps(self.saved, self.end)
         self.assertGreater(self.client.state.pieces, 2)
         self.assertGreater(self.client.state.contacts, 0)
-        for branch in range(5):
+        for branch in range(rospy.get_param('~branches')):
             if branch == 3:  # on the way from another state
                 self.client.reset()
                 self.run_steps(0, 4)
-            self.assertEqual(SAVED, self.call(self.restore, 'middle').step)
-            self.assertEqual(on, self.run_steps(SAVED, END), f'branch {branch}')
+            self.assertEqual(self.saved, self.call(self.restore, 'middle').step)
+            self.assertEqual(on, self.run_steps(self.saved, self.end), f'branch {branch}')
         self.call(self.restore, 'middle')
-        other = self.run_steps(SAVED, END, cuts=[15])
+        other = self.run_steps(self.saved, self.saved + 18, cuts=[self.saved + 3])
         self.assertEqual(on[:3], other[:3])
         self.assertNotEqual(on[3], other[3])
 

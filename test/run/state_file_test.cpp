@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "incision/base/input_error.h"
+#include "incision/body/quantities.h"
 #include "support/batch_folder.h"
 #include "support/sanitized.h"
 #include "support/solid_meshes.h"
@@ -102,6 +103,54 @@ TEST_P(SavedRun, MayBeSavedInTheFileItWasRestoredFrom) {
   end("--steps 20 --restore " + state + " --save " + state + " --threads 2", true);
   EXPECT_EQ(end("--steps 20 --restore " + state)["state_hash"], whole["state_hash"]);
   EXPECT_FALSE(fs::exists(state + ".tmp"));
+}
+
+/// Slow enough that all goes on in a run of 1000 steps.
+std::string longScene(const std::string& scene) {
+  return replaced(replaced(scene, "[0.4, 0.0201, 0.015", "[5, 0.0201, 0.015"), "[0.4, -0.016", "[5, -0.016");
+}
+
+// 1000 steps are 500, saved, restored in every way, and 500 more, by the state after each of these.
+TEST_P(SavedRun, FullThousandStepsAreTheSameInEveryLaterStep) {
+  constexpr int HALF = 500, PART = 100;
+  put(file("all.yaml"), longScene(sceneOf(GetParam())));
+  const Scene scene = loadScene(file("all.yaml"));
+  const Descriptions descriptions = loadDescriptions(scene);
+  DeformableBody whole(scene, loadMesh(scene), descriptions);
+  std::string saved;
+  std::vector<std::uint64_t> hashes;
+  int pressing = 0, cracked = 0;
+  for (int k = 0; k < 2 * HALF; ++k) {
+    if (k == HALF) saved = savedState(whole).body;
+    const StepResult result = whole.step();
+    if (k < HALF) continue;
+    hashes.push_back(whole.stateHash());
+    pressing += result.contact.count > 0 && result.tools[1].gripped > 0;
+    cracked += static_cast<int>(result.cracks.size());
+  }
+  EXPECT_GT(pressing, HALF / 2);
+  EXPECT_GT(whole.counts().cracks, 2);
+  RecordProperty("cracked", cracked);
+  for (const int threads : {1, 2}) {
+    Scene other = scene;
+    other.solver.threads = threads;
+    DeformableBody on(other, loadMesh(other), descriptions);
+    DeformableBody* const body = threads == 1 ? &whole : &on;
+    body->restore(saved);
+    for (int k = 0; k < HALF; ++k) {
+      body->step();
+      ASSERT_EQ(body->stateHash(), hashes[static_cast<std::size_t>(k)])
+          << "step " << k << ", " << threads << " threads";
+    }
+  }
+  // In processes of their own.
+  const std::string state = file("on.state");
+  end("--steps " + std::to_string(HALF) + " --save " + state, true);
+  for (int k = PART; k <= HALF; k += PART) {
+    const nlohmann::json on =
+        end("--steps " + std::to_string(PART) + " --restore " + state + " --save " + state + " --threads 2", true);
+    EXPECT_EQ(on["state_hash"], hexadecimal(hashes[static_cast<std::size_t>(k - 1)])) << k;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SavedRun, ::testing::Values("direct", "iterative"));

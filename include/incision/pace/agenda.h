@@ -37,11 +37,11 @@ class Agenda {
   void activate(int tool, bool active);
 
   /// What is stamped up to `time`, in order.
-  std::vector<PlaneCut> takeCuts(Nanoseconds time);
+  std::vector<WaitingCut> takeCuts(Nanoseconds time);
   ToolInput takeTool(int tool, Nanoseconds time);
 
   /// Empties the agenda and switches the blades on, or as `active` has them; returns the cuts that will not be made.
-  std::vector<PlaneCut> clear(const std::vector<bool>& active = {});
+  std::vector<WaitingCut> clear(const std::vector<bool>& active = {});
 
   /// How many commands wait. Of the cuts stamped later than `time`, and of what is asked of a tool, what came first.
   std::size_t size() const;

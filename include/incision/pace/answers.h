@@ -10,7 +10,8 @@ namespace incision {
 /// Least time [s] between two warnings about one thing.
 inline constexpr double WARNING_PERIOD = 2;
 
-/// Who is told what becomes of commands. May be told from two threads.
+/// Who is told what becomes of commands. May be told from two threads. Throws nothing: where memory runs out it waits
+/// for some, and where there is none for long it tells less.
 class Answers {
  public:
   virtual ~Answers() = default;

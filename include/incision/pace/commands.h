@@ -53,7 +53,7 @@ class Commands {
   bool waitsFor(Nanoseconds time) const;
 
   /// What takes effect up to `time`.
-  std::vector<PlaneCut> takeCuts(Nanoseconds time) { return agenda_.takeCuts(time); }
+  std::vector<WaitingCut> takeCuts(Nanoseconds time) { return agenda_.takeCuts(time); }
   ToolInput takeTool(int tool, Nanoseconds time) { return agenda_.takeTool(tool, time); }
 
   /// Forgets all that waits, and answers each cut with the reason. Tools are switched on then, or as `active` has them.

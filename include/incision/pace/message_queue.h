@@ -20,7 +20,8 @@ class MessageQueue {
   /// Up to `most` wait; beyond that the oldest is lost.
   explicit MessageQueue(std::size_t most) : most_(most) {}
 
-  /// `fill(Message*)` writes a message over an older one. Any thread; waits for none that sends.
+  /// `fill(Message*)` writes a message over an older one. Any thread; waits for none that sends. Where it throws, there
+  /// is no message more.
   template <class Fill>
   void give(const Fill& fill) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -29,26 +30,35 @@ class MessageQueue {
       --count_;
     }
     if (count_ == waiting_.size()) waiting_.emplace_back();
-    fill(&waiting_[count_++]);
+    fill(&waiting_[count_]);
+    ++count_;
   }
 
-  /// Calls send(message) for all that wait. By one thread at a time.
+  /// Calls send(message) for all that wait, which it may change. Where it throws, that message is the first of those
+  /// that are sent next time. By one thread at a time.
   template <class Send>
   void sendAll(const Send& send) {
-    std::size_t taken = 0;
+    sendTaken(send);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       std::swap(waiting_, sending_);
-      taken = std::exchange(count_, 0);
+      taken_ = std::exchange(count_, 0);
+      next_ = 0;
     }
-    for (std::size_t i = 0; i < taken; ++i) send(sending_[i]);
+    sendTaken(send);
   }
 
  private:
+  template <class Send>
+  void sendTaken(const Send& send) {
+    for (; next_ < taken_; ++next_) send(sending_[next_]);
+  }
+
   const std::size_t most_;
   std::mutex mutex_;
   std::vector<Message> waiting_, sending_;  // the first `count_` of those that wait are new
   std::size_t count_ = 0;
+  std::size_t next_ = 0, taken_ = 0;  // of those that are sent
 };
 
 }  // namespace incision

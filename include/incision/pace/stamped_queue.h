@@ -28,17 +28,11 @@ class StampedQueue {
 
   /// What is stamped up to `time`.
   std::vector<T> take(Nanoseconds time) {
-    std::vector<T> taken;
-    for (; !entries_.empty() && entries_.front().stamp <= time; entries_.pop_front())
-      taken.push_back(std::move(entries_.front().thing));
-    return taken;
+    const auto isDue = [time](const Entry& entry) { return entry.stamp <= time; };
+    return takeFirst(std::find_if_not(entries_.begin(), entries_.end(), isDue) - entries_.begin());
   }
 
-  std::vector<T> takeAll() {
-    std::vector<T> taken;
-    for (Entry& entry : std::exchange(entries_, {})) taken.push_back(std::move(entry.thing));
-    return taken;
-  }
+  std::vector<T> takeAll() { return takeFirst(static_cast<std::ptrdiff_t>(entries_.size())); }
 
   /// The last one; there must be one.
   T takeLast() {
@@ -68,6 +62,16 @@ class StampedQueue {
   }
 
  private:
+  /// None is lost where there is no memory to take them.
+  std::vector<T> takeFirst(std::ptrdiff_t count) {
+    std::vector<T> taken;
+    taken.reserve(static_cast<std::size_t>(count));
+    for (auto entry = entries_.begin(); entry != entries_.begin() + count; ++entry)
+      taken.push_back(std::move(entry->thing));
+    entries_.erase(entries_.begin(), entries_.begin() + count);
+    return taken;
+  }
+
   std::deque<Entry> entries_;
   std::int64_t arrivals_ = 0;
 };

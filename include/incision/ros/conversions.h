@@ -10,6 +10,7 @@
 #include <incision/CutReport.h>
 
 #include "incision/body/deformable_body.h"
+#include "incision/body/quantities.h"
 #include "incision/body/stress_view.h"
 #include "incision/pace/command.h"
 
@@ -36,8 +37,8 @@ ros::Time toRos(Nanoseconds stamp);
 CutReport toReport(const CutResult& result);
 CrackEvent toEvent(const CrackResult& result);
 
-/// Fills the sizes, the motion, step, time and hash; the node fills in the rest.
-void fillState(const DeformableBody& body, const StepResult& last_step, BodyState* state);
+/// Fills the fields of these names.
+void fillState(const std::vector<Quantity>& quantities, BodyState* state);
 
 /// Fills the lists of regions; their stress is empty before it is first found.
 void fillRegions(const Regions& regions, const std::vector<RegionStress>& stress, BodyState* state);

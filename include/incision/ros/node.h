@@ -21,6 +21,7 @@
 #include "incision/ros/publishing_thread.h"
 #include "incision/ros/reconfigure.h"
 #include "incision/ros/reporter.h"
+#include "incision/ros/state_publisher.h"
 #include "incision/ros/tool_publisher.h"
 #include "incision/run/first_steps.h"
 
@@ -30,7 +31,7 @@ namespace incision {
 ///
 /// The thread that calls run() alone touches the body. Commands are received and checked by the thread of
 /// CommandInput, services are answered by the global queue's, markers are built by MarkerPublisher's, messages are sent
-/// by PublishingThread's, and Diagnostics' tells how it goes.
+/// by PublishingThread's and StatePublisher's, and Diagnostics' tells how it goes.
 class IncisionNode {
  public:
   /// Throws InputError when the parameters do not give a body.
@@ -55,9 +56,12 @@ class IncisionNode {
   SavedState save() const;
   void restore(const SavedState& state);
 
+  template <class Part>
+  void guarded(const Part& part);
   void step();
   bool tryStep();
-  void stepFailed(const std::string& why);
+  void tellStep();
+  void stepFailed(const char* why);
   void reportChanges();
   bool wantsRegionStress() const;
   void publishState();
@@ -82,7 +86,7 @@ class IncisionNode {
   std::string error_;
   SteadyTime next_heartbeat_;
 
-  Outlet<BodyState> state_;
+  StatePublisher state_;
   ros::Subscriber clock_;
   ros::ServiceServer pause_service_, step_service_, reset_service_;
   CommandInput input_;

@@ -33,7 +33,7 @@ class PublishingThread {
 
   void add(const std::shared_ptr<Sender>& sender);
 
-  /// Sends what still waits at once, on the thread that calls it.
+  /// Sends what still waits at once, on the thread that calls it. What std::bad_alloc keeps from being sent waits on.
   void sendAll();
 
   /// There is something to send, after the next flush.
@@ -45,6 +45,7 @@ class PublishingThread {
 
  private:
   void run();
+  bool trySendAll();
 
   std::mutex mutex_;
   std::vector<std::shared_ptr<Sender>> senders_;

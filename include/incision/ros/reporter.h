@@ -53,8 +53,12 @@ class Reporter : public Answers {
 
  private:
   /// `about`: what is warned of now and then, of which there are no more than the scene has names.
-  void count(const std::string& about, const std::string& what, const Refused& refused);
+  void warnOfRefused(const std::string& about, const std::string& what, const Refused& refused);
+  void count(Refusal kind) { ++counts_[static_cast<int>(kind)]; }
+  template <class Give>
+  void giveInTime(const Give& give);
   void publish(const CutResult& result);
+  void give(const CutResult& result);
 
   const std::string body_frame_;
   PublishingThread* thread_;
