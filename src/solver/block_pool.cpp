@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <new>
 
 namespace incision {
 namespace {
@@ -76,8 +77,14 @@ void* BlockPool::take(std::size_t size) {
     free_block->in_use = true;
     return free_block->memory;
   }
+  try {
+    blocks_.push_back({nullptr, size, true});
+  } catch (const std::bad_alloc&) {  // which must not pass through CHOLMOD
+    return nullptr;
+  }
   void* memory = std::malloc(size);
-  if (memory) blocks_.push_back({memory, size, true});
+  blocks_.back().memory = memory;
+  if (!memory) blocks_.pop_back();
   return memory;
 }
 
