@@ -68,6 +68,7 @@ struct BodyMark {
   std::int64_t fractured_steps = 0;
   std::size_t cuts = 0, cracks = 0;  // told in the reports
   std::optional<CrackGrowth::Memory> growth;
+  std::optional<std::uint64_t> growth_version;  // of which that is
   std::vector<RigidMotion> obstacles;
   std::vector<ClampMotion> clamps;
   StepMemory step;
@@ -84,6 +85,7 @@ struct DeformableBody::State {
   // Undoing, in body_undo.cpp.
   State& sound();
   void mark();
+  void markGrowth();
   void markRotations();
   void undo() noexcept;
   template <class Change>

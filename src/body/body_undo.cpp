@@ -26,7 +26,7 @@ void DeformableBody::State::mark() {
   marked.fractured_steps = fractured_steps;
   marked.cuts = reports.cuts.size();
   marked.cracks = reports.cracks.size();
-  if (growth) marked.growth = growth->memory();
+  markGrowth();
   marked.obstacles = obstacle_motions.inStep();
   marked.clamps = clamp_motions.keep();
   StepMemory& of_step = marked.step;
@@ -38,6 +38,14 @@ void DeformableBody::State::mark() {
   for (std::size_t i = 0; i < tools.size(); ++i) tools[i]->keepIn(&of_step.tools[i]);
   step.markRotations();
   marked.has_rotations = false;
+}
+
+/// Copying it takes a while, and memory, so it is only done after a change.
+void DeformableBody::State::markGrowth() {
+  if (!growth || marked.growth_version == growth->version()) return;
+  marked.growth_version.reset();  // until it is whole
+  marked.growth = growth->memory();
+  marked.growth_version = growth->version();
 }
 
 /// As they are, for what changes them more than once. The first time counts.

@@ -49,6 +49,7 @@ std::vector<CrackResult> CrackGrowth::fuse(double time, const CutMesh& mesh, con
       event.where = (a + b) / 2;
       event.normal = n;
       events.push_back(event);
+      ++version_;
       memory_.cracks.join(event.crack, event.other, cosine < 0 ? -1 : 1);
     }
   }

@@ -44,6 +44,7 @@ std::vector<int> elementsOf(const std::vector<int>& parts, const CutMesh& mesh) 
 }  // namespace
 
 void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<int>& touched) {
+  ++version_;
   const CutMesh& mesh = assembly.mesh();
   inherit(mesh);
   memory_.waiting.resize(mesh.mesh().nodes.size(), 0);
@@ -60,6 +61,7 @@ void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<in
 
 void CrackGrowth::stepTaken() {
   if (!memory_.any_waiting) return;
+  ++version_;
   memory_.waiting.assign(memory_.waiting.size(), 0);
   memory_.any_waiting = false;
 }
@@ -127,6 +129,7 @@ CrackResult CrackGrowth::inserted(double time, const CrackAdvance& advance, cons
 }
 
 CrackResult CrackGrowth::refused(double time, const CrackAdvance& advance) {
+  ++version_;
   CrackResult event;
   event.time = time;
   event.crack = advance.crack.value_or(-1);
@@ -150,6 +153,7 @@ void CrackGrowth::adopt(const CrackField& field, const Insertion& done, const Cu
 
 /// Keeps φ at the copies that the split parts had before.
 GrowingCrack& CrackGrowth::remember(const CrackField& field, const Insertion& done, const CutMesh& mesh) {
+  ++version_;
   GrowingCrack& crack = memory_.cracks.cracks[memory_.cracks.survivorOf(done.crack)];
   const int before = static_cast<int>(field.phi.size());
   for (int p : done.parts)

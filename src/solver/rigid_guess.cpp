@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "incision/base/sort_once.h"
@@ -30,6 +31,14 @@ struct End {
   }
 };
 
+/// What is solved for the pieces' motions. It is made anew for every guess: vectors of Eigen do not survive a change of
+/// their size for which there is no memory, as they then free what they had a second time.
+struct Equations {
+  Eigen::SparseMatrix<double> matrix;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
+  Motions driving, q, right, step;
+};
+
 }  // namespace
 
 struct RigidGuess::Work {
@@ -39,9 +48,7 @@ struct RigidGuess::Work {
   Lists<int> blocks_of;                    // of each spring, for its ends k ≥ l in turn
   std::vector<std::pair<int, int>> pairs;  // column and row of each block, ascending
   std::vector<Block> mass, blocks;         // of each piece; of each pair
-  Eigen::SparseMatrix<double> matrix;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
-  Motions driving, q, right, step;
+  std::optional<Equations> equations;
   std::vector<Vec3> way, tried, expected;  // of each spring
 
   void findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs);
@@ -68,7 +75,7 @@ void RigidGuess::find(const RigidPieces& rigid, double time_step, const std::vec
   for (int k = 0; k < MAX_STEPS; ++k) {
     if (!w.findStep(time_step, couplers->springs(), *moved)) break;
     const double share = w.searchLine(couplers, *moved);
-    w.q += share * w.step;
+    w.equations->q += share * w.equations->step;
     for (std::size_t i = 0; i < moved->size(); ++i) (*moved)[i] += share * w.way[i];
     couplers->takeBounds(*moved);
     couplers->update(*moved);
@@ -81,7 +88,7 @@ void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std
   if (w.piece.empty()) return;
   for (std::size_t c = 0; c < x.size(); ++c) {
     const int piece = rigid.pieceOf(c), number = w.number[static_cast<std::size_t>(piece)];
-    if (number >= 0) (*dv)[c] += End{number, {1, x[c] - rigid.centreOf(piece)}}.wayOf(w.q);
+    if (number >= 0) (*dv)[c] += End{number, {1, x[c] - rigid.centreOf(piece)}}.wayOf(w.equations->q);
   }
 }
 
@@ -139,9 +146,10 @@ void RigidGuess::Work::findPattern() {
     for (int j = 0; j < MODES; ++j)
       for (int i = 0; i < MODES; ++i) entries.emplace_back(MODES * row + i, MODES * column + j, 1);
   const auto size = static_cast<int>(MODES * piece.size());
-  matrix.resize(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  solver.analyzePattern(matrix);
+  Equations& fresh = equations.emplace();
+  fresh.matrix.resize(size, size);
+  fresh.matrix.setFromTriplets(entries.begin(), entries.end());
+  fresh.solver.analyzePattern(fresh.matrix);
 }
 
 void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies) {
@@ -150,7 +158,8 @@ void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& 
     mass[n].topLeftCorner<3, 3>() = rigid.massOf(piece[n]) * Mat3::Identity();
     mass[n].bottomRightCorner<3, 3>() = rigid.inertiaOf(piece[n]);
   }
-  driving = q = Motions::Zero(static_cast<int>(MODES * piece.size()));
+  Motions& driving = equations->driving;
+  driving = equations->q = Motions::Zero(static_cast<int>(MODES * piece.size()));
   for (std::size_t c = 0; c < x.size(); ++c) {
     const int of_copy = rigid.pieceOf(c), n = number[static_cast<std::size_t>(of_copy)];
     if (n < 0) continue;
@@ -170,6 +179,7 @@ Motions RigidGuess::Work::momentum(const Motions& of) const {
 
 /// The Newton step from q, and how far the springs' points go in it. Returns false where there is none.
 bool RigidGuess::Work::findStep(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved) {
+  auto& [matrix, solver, driving, q, right, step] = *equations;
   right = driving - momentum(q);
   for (Block& block : blocks) block.setZero();
   for (std::size_t k = 0; k < pairs.size(); ++k)
@@ -213,6 +223,7 @@ bool RigidGuess::Work::findStep(double time_step, const std::vector<Spring>& spr
 /// it.
 double RigidGuess::Work::searchLine(Couplers* couplers, const std::vector<Vec3>& moved) {
   const std::vector<Spring>& springs = couplers->springs();
+  const auto& [matrix, solver, driving, q, right, step] = *equations;
   const double slope = step.dot(driving - momentum(q)), curvature = step.dot(momentum(step));
   double bend = 0;
   const auto slopeAt = [&](double share) {

@@ -131,7 +131,10 @@ void expectUndisturbed(const Scenario& scenario, int every) {
   std::printf("%s: %d\n", scenario.name.c_str(), static_cast<int>(n));
 }
 
-void step(DeformableBody* body, std::string* first) { *first = told(body->step()); }
+void step(DeformableBody* body, std::string* first) {
+  const StepResult result = body->step();
+  sparing([&] { *first = told(result); });
+}
 
 /// A plate that rubs on the ground while it breaks, is cut by a blade against resistance and by a plane.
 Scene breakingPlate(Method method) {

@@ -46,6 +46,16 @@ std::int64_t refusing(std::int64_t n, std::int64_t count, const Function& f) {
   return refused_count - before;
 }
 
+/// Within `refusing`, refuses nothing of what `f` takes.
+template <typename Function>
+void sparing(const Function& f) {
+  const std::int64_t first = first_refused, last = last_refused;
+  first_refused = last_refused = NEVER;
+  f();
+  last_refused = last;
+  first_refused = first;
+}
+
 /// How often `f` takes memory from the heap.
 template <typename Function>
 std::int64_t allocationsOf(const Function& f) {

@@ -55,8 +55,13 @@ class CrackGrowth {
   explicit CrackGrowth(const FractureSettings& settings) : settings_(settings) {}
 
   const Memory& memory() const { return memory_; }
+  /// Another number after each change of the memory.
+  std::uint64_t version() const { return version_; }
   /// Takes back a memory. `topologyChanged` must follow, without touched nodes, on the mesh that belongs to it.
-  void recall(const Memory& memory) { memory_ = memory; }
+  void recall(const Memory& memory) {
+    ++version_;
+    memory_ = memory;
+  }
 
   /// Before the first step and after every change of the mesh, of which `touched` are the nodes: parts round them wait
   /// until `stepTaken`, as their stress is not that of the new mesh.
@@ -118,6 +123,7 @@ class CrackGrowth {
 
   FractureSettings settings_;
   Memory memory_;
+  std::uint64_t version_ = 0;
   // Scratch: found again from memory and mesh.
   SmoothedStress stress_;
   std::vector<Strength> strengths_;  // of every region

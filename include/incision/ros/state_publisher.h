@@ -12,9 +12,9 @@
 namespace incision {
 
 /// Publishes the state of a body, in order. The stepping thread only copies the motion; hash and energies, which take
-/// all of the body, are reckoned on a thread of its own. That assembles a copy of the mesh first, which takes longer than
-/// these and could not keep up while each step cuts: so it does when the topology has stayed for some states, and those
-/// until then are reckoned at once.
+/// all of the body, are reckoned on a thread of its own. That assembles a copy of the mesh first, which takes longer
+/// than these and could not keep up while each step cuts: so it does when the topology has stayed for some states, and
+/// those until then are reckoned at once.
 class StatePublisher {
  public:
   /// The body must outlive this.
