@@ -22,8 +22,12 @@ std::string whyInvalid(const LiveSettings& settings) {
   }
 }
 
+/// By comparison alone: where memory runs out, a text that is taken for a number would not say so.
 void check(const LiveSettings& memory, const MemoryLimits&) {
-  require(whyInvalid(memory).empty(), "what it was set to while it ran is out of range");
+  const auto within = [](const Range& range, double value) { return value >= range.min && value <= range.max; };
+  require(within(SolverSettings::TOLERANCE, memory.tolerance) && memory.gravity.allFinite() &&
+              within(NOT_NEGATIVE, memory.cutting_force_factor),
+          "what it was set to while it ran is out of range");
 }
 
 LiveSettings liveSettingsOf(const Scene& scene) {
