@@ -31,7 +31,7 @@ while (($#)); do
     --picture) (($# > 1)) || { usage >&2 && exit 2; } && picture=$(realpath -m "$2") && shift ;;
     --build-only) build_only=1 ;;
     -h | --help) usage && exit ;;
-    *) usage >&2 && exit 2 ;;
+    *) echo "launch/demo.sh: there is no option $1" >&2 && usage >&2 && exit 2 ;;
   esac
   shift
 done
@@ -39,6 +39,7 @@ done
 
 install_packages run rviz
 [[ -f $BUILD/.configured_with ]] || configure "$BUILD" -DCATKIN_ENABLE_TESTING=OFF
+[[ -x $BUILD/devel/lib/incision/incision_node ]] || echo "Compiling, which takes some ten minutes on two idle cores the first time"
 compile "$BUILD" all
 [[ $build_only ]] && exit
 

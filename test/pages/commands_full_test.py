@@ -11,7 +11,7 @@ import pages
 import session as sessions
 from covered import Shown
 
-WORKSPACE = Shown('README.md', 'mkdir -p ws/src')
+WORKSPACE = Shown('README.md', 'mkdir -p ~/ws/src')
 STL_TO_MESH = Shown('README.md', 'cp $(rospack find incision)')
 BATCH = Shown('README.md', 'rosrun incision incision_batch organ.yaml --steps 50')
 GMSH = Shown('README.md', 'sudo apt-get install gmsh')
@@ -27,7 +27,8 @@ SETUP = Shown('launch/README.md', 'source build/devel/setup.bash')
 LIVER = Shown('launch/README.md', 'incision_batch config/scenes/liver.yaml')
 ANIMAL = Shown('launch/README.md', 'incision_batch config/scenes/animal.yaml')
 ROBOT = Shown('msg/README.md', 'roslaunch incision incision.launch scene:=$PWD/my_scene.yaml')
-OWN_PACKAGE = [Shown('msg/README.md', 'cd ws/src && catkin_create_pkg'), Shown('msg/README.md', 'chmod +x src/my_robot')]
+OWN_PACKAGE = [Shown('msg/README.md', 'cd ~/ws/src && catkin_create_pkg'), Shown('msg/README.md', 'cd ~/ws\nchmod +x src/my_robot')]
+SCALPEL = Shown('msg/README.md', 'roslaunch incision incision.launch scene:=$(rospack')
 RECORD = Shown('msg/README.md', 'rosbag record')
 STAMPED = Shown('msg/README.md', "rostopic pub -1 /incision/cut_plane incision/CutPlane '{header: auto")
 SIMULATED = Shown('msg/README.md', 'rosparam set /use_sim_time true')
@@ -126,12 +127,12 @@ class Commands(sessions.Commands):
         manifest = package / 'package.xml'
         manifest.write_text(manifest.read_text(encoding='utf-8').replace(
             '</package>', '<test_depend>rostest</test_depend></package>'), encoding='utf-8')
-        said = self.session.run('cd ws; ' + OWN_PACKAGE[1].text, 3000)
+        said = self.session.run(OWN_PACKAGE[1].text, 3000)
         self.assertRegex(said, r'(?s)RESULT: SUCCESS')
 
     def test_a_node_in_python_leads_a_scalpel_and_draws_its_force(self):
         self.write('lead_scalpel.py', block('msg/README.md', 'python', "init_node('lead_scalpel')"))
-        self.session.terminal('roslaunch incision incision.launch scene:=$(rospack find incision)/config/scenes/scalpel.yaml')
+        self.session.terminal(SCALPEL.text)
         self.session.state()
         self.session.run('/usr/bin/python3 lead_scalpel.py')
         self.assertGreater((self.session.folder / 'force.png').stat().st_size, 10000)

@@ -20,7 +20,8 @@ ELSEWHERE = {'launch/study/README.md'}
 RUNS_TESTS = ('./test/run.sh', './test/benchmark/run.sh', './test/report/run.sh', 'ctest ')
 
 PACKAGES = Shown('README.md', 'sudo apt-get install $(')
-WORKSPACE = Shown('README.md', 'mkdir -p ws/src')
+WORKSPACE = Shown('README.md', 'mkdir -p ~/ws/src')
+TESTING = Shown('msg/README.md', 'sudo apt-get install python3-rostest')
 NODE = Shown('README.md', 'roslaunch incision incision.launch scene:=$(rospack')
 PLANE = Shown('README.md', 'rostopic pub -1')
 BATCH = Shown('README.md', 'rosrun incision incision_batch organ.yaml --steps 50')
@@ -43,6 +44,7 @@ class Coverage(unittest.TestCase):
 class WithoutRos(sessions.Commands):
     def test_the_packages_can_be_had(self):
         self.session.run(f'cd {pages.ROOT}; ' + PACKAGES.text.replace('sudo apt-get install', 'apt-get install --simulate'))
+        self.session.run(TESTING.text.replace('sudo apt-get install', 'apt-get install --simulate'))
 
     def test_the_bar_runs_in_a_workspace(self):
         lines = WORKSPACE.text.replace('/path/to/incision', str(pages.ROOT)).splitlines()
