@@ -33,8 +33,8 @@ std::optional<std::string> FirstSteps::add(double step_ms) {
   if (step_ms_.size() < COUNT) return std::nullopt;
   const double simulated = 1e3 * time_step_, taken = median(step_ms_);
   std::ostringstream line;
-  line << std::setprecision(2) << "a step of " << std::setprecision(6) << simulated << " ms takes "
-       << std::setprecision(2) << taken << " ms (median of the first ten): " << paceInWords(simulated, taken);
+  line << "a step of " << std::setprecision(6) << simulated << " ms takes " << std::setprecision(2) << taken
+       << " ms (median of the first ten): " << paceInWords(simulated, taken);
   return line.str();
 }
 

@@ -65,12 +65,7 @@ Json cutsOf(const DeformableBody& body, const RunAccount& account) {
 
 void StepStatistics::add(const StepResult& step) {
   step_ms_.push_back(step.step_ms);
-  sum_.cut += step.phase_ms.cut;
-  sum_.fracture += step.phase_ms.fracture;
-  sum_.contact += step.phase_ms.contact;
-  sum_.assembly += step.phase_ms.assembly;
-  sum_.solve += step.phase_ms.solve;
-  sum_.update += step.phase_ms.update;
+  sum_ += step.phase_ms;
   last_.contact = step.contact;
   last_.iterations = step.iterations;
   last_.residual = step.residual;

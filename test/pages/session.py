@@ -103,12 +103,13 @@ class Session:
 
     def state(self, steps=1):
         """Waits until the node has taken that many steps, and returns a line of what it then says."""
-        self.wait_for(lambda: '/incision/state' in self._quietly('rostopic list'), 'the node')
+        self.wait_for(lambda: self.lists('/incision/state'), 'the node')
         return self.run(f"rostopic echo -p --filter 'm.step >= {steps}' -n 1 /incision/state/step")
 
-    def _quietly(self, commands):
-        process = self._start(commands, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        return process.communicate(timeout=TIMEOUT)[0]
+    def lists(self, topic):
+        """Whether the master knows a topic; it may not be there yet."""
+        process = self._start('rostopic list', stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        return topic in process.communicate(timeout=TIMEOUT)[0].splitlines()
 
     def interrupt(self, process):
         """Ctrl-C in a terminal; returns its exit status."""

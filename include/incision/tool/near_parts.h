@@ -23,7 +23,9 @@ class NearParts {
   /// when it is made larger by `room` times its sizes to all sides. They hold until the next call.
   const std::vector<int>& find(const Eigen::AlignedBox3d& reach, double room, const std::vector<Vec3>& x);
 
-  /// The same of boxes round the copies both at `x` and at `before`.
+  /// Numbers, ascending, of parts among which are all whose copies have, where they stand at `x` and where they stood
+  /// `before` [m] taken together, a box that meets `reach` when it is made larger by `room` times its sizes to all
+  /// sides. They hold until the next call.
   const std::vector<int>& find(const Eigen::AlignedBox3d& reach, double room, const std::vector<Vec3>& x,
                                const std::vector<Vec3>& before);
 
