@@ -89,6 +89,20 @@ For p In {0 : last}
 EndFor
 Physical Volume("body", 1) = volumes();
 
+// With a wrong unit there would be thousands of millions of elements, and gmsh would go on without end.
+LARGEST = 300;           // elements along the longest side: some 1e8 in a cube
+length = 0;
+For p In {0 : last}
+  For k In {0 : 2}
+    length = (shell(p) == p && high(3 * p + k) - low(3 * p + k) > length) ? high(3 * p + k) - low(3 * p + k) : length;
+  EndFor
+EndFor
+Printf("The longest shell has %g m", length * UNIT);
+If (length * UNIT > LARGEST * ELEMENT_SIZE)
+  Error("It is more than %g elements of %g m long: is UNIT right, and ELEMENT_SIZE?", LARGEST, ELEMENT_SIZE);
+  Exit;
+EndIf
+
 Mesh.MeshSizeMin = ELEMENT_SIZE / UNIT;
 Mesh.MeshSizeMax = ELEMENT_SIZE / UNIT;
 Mesh.ScalingFactor = UNIT;

@@ -15,7 +15,7 @@ from study import engine
 from study.errors import InputError
 from study.runs import FAILED, WAITING, forget, outcome_of, runs_folder, runs_of
 from study.study_file import ROOT, read_study
-from study.table import collect
+from study.table import collect, table_of
 
 DONE, NOT_ALL_DONE, BAD_INPUT = 0, 1, 2
 
@@ -93,12 +93,15 @@ def locked(folder):
         os.close(descriptor)
 
 
-def try_first(run, program):
-    """Loads the scene of one run, so that a mistake in the study is told at once."""
+def try_first(study, run, program):
+    """Loads the scene of one run, so that a mistake in the study is told at once, with the study's own key."""
     done = subprocess.run([program, *run.arguments, '--steps', '0'], stdin=subprocess.DEVNULL, check=False,
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, errors='replace')
     if done.returncode == 2:
-        raise InputError(done.stderr.strip().rpartition('\n')[2].removeprefix('incision_batch: '))
+        wrong = done.stderr.strip().rpartition('\n')[2].removeprefix('incision_batch: ')
+        said_at = [f'{study.path}: {section}.{key}: ' for section, keys in (('set', study.fixed), ('vary', study.varied))
+                   for key in keys if f'{key}:' in wrong]
+        raise InputError(''.join(said_at[:1]) + wrong)
 
 
 def say(text):
@@ -111,7 +114,7 @@ def tell(folder, runs):
     states = [state for state, _, _ in outcomes]
     failed, waiting = states.count(FAILED), states.count(WAITING)
     say(f'{len(runs) - failed - waiting} of {len(runs)} runs are done' + (f', {failed} failed' if failed else '') +
-        (f', {waiting} are still to be run' if waiting else ''))
+        (f', {waiting} are still to be run: start it again to go on' if waiting else '') + f'; the table: {table_of(folder)}')
     if failed:
         i = states.index(FAILED)
         say(f'the first that failed, {runs[i].name}: {outcomes[i][2]}')
@@ -153,7 +156,7 @@ def run_study(arguments, study, folder, runs, program, descriptor):
     pending = [run for run, state in outcomes if state == WAITING or (arguments.retry_failed and state == FAILED)]
     ended_by = None
     if pending:
-        try_first(pending[0], program)
+        try_first(study, pending[0], program)
     forget(folder, pending)  # what is not whole, or has failed
     if pending and arguments.slurm:
         chunks = engine.write_chunks(folder, study, pending, program, engine.even_sizes(len(pending), arguments.tasks))

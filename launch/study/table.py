@@ -48,11 +48,15 @@ def row_of(study, folder, run):
     return row
 
 
+def table_of(folder):
+    return pathlib.Path(folder) / 'study.csv'
+
+
 def collect(study, folder, runs):
-    """Writes FOLDER/study.csv, whole or not at all. Returns its rows."""
+    """Writes the table, whole or not at all. Returns its rows."""
     rows = [row for row in (row_of(study, folder, run) for run in runs) if row is not None]
     columns = list(dict.fromkeys(column for row in rows for column in row))
-    path = pathlib.Path(folder) / 'study.csv'
+    path = table_of(folder)
     part = path.with_suffix('.part')
     with open(part, 'w', newline='', encoding='utf-8') as file:
         writer = csv.DictWriter(file, columns)

@@ -1,6 +1,5 @@
 #include "body_state.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
@@ -35,14 +34,6 @@ bool takesEnergy(const Scene& scene) {
                             }));
 }
 
-/// Of the nodes that elements use.
-RestBox boundsOf(const CutMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& element : mesh.mesh().elements)
-    for (int n : element) box.extend(mesh.mesh().nodes[n]);
-  return {box.min(), box.max()};
-}
-
 Motion atRest(const CutMesh& mesh) {
   Motion motion;
   for (int c = 0; c < mesh.numCopies(); ++c) motion.x.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
@@ -58,7 +49,7 @@ DeformableBody::State::State(const Scene& s, TetMesh rest, const Descriptions& d
       live(liveSettingsOf(s)),
       cuts(byTime(s.cuts)),
       mesh(withOrderedElements(std::move(rest)), s.solver.threads),
-      bounds(boundsOf(mesh)),
+      bounds(boundsOf(mesh.mesh())),
       materials(mesh.mesh(), s.body.material, s.body.regions),
       step(mesh, materials, s.body.mass, s.body.pressure, s.body.warping, {s.gravity, s.boundary, s.loads}, s.solver,
            make_solver ? make_solver : makeLinearSolver),

@@ -1,12 +1,17 @@
 #include "incision/body/remarks.h"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 #include "incision/fem/boundary.h"
 #include "incision/fem/regions.h"
 
 namespace incision {
 namespace {
+
+/// Longest side of a body's box [m] that is taken for meant. Organs and limbs stay below it; in millimetres none does.
+constexpr double LARGEST_BODY = 10;
 
 /// "scene.yaml: boundary[0]: box [[…]]" with what is wrong.
 std::string remark(const Place& place, const std::string& what) {
@@ -44,10 +49,26 @@ void remarkOnRegions(const Scene& scene, const CutMesh& mesh, std::vector<std::s
   }
 }
 
+/// Who has written a grid or a scale has thought of the unit.
+void remarkOnUnit(const Scene& scene, const CutMesh& mesh, std::vector<std::string>* remarks) {
+  const std::vector<PlacedMesh>& meshes = scene.body.meshes;
+  if (std::none_of(meshes.begin(), meshes.end(), [](const PlacedMesh& file) { return file.scale == 1; })) return;
+  const RestBox bounds = boundsOf(mesh.mesh());
+  const double size = (bounds.max - bounds.min).maxCoeff();
+  if (size <= LARGEST_BODY) return;
+  std::ostringstream remark;
+  remark
+      << std::setprecision(3) << "the body is " << size
+      << " m large, as lengths in mesh files are taken for metres: beside the file's name write scale: 0.001 where it "
+         "is in millimetres";
+  remarks->push_back(remark.str());
+}
+
 }  // namespace
 
 std::vector<std::string> remarksOn(const Scene& scene, const CutMesh& mesh) {
   std::vector<std::string> remarks;
+  remarkOnUnit(scene, mesh, &remarks);
   remarkOnRegions(scene, mesh, &remarks);
   const std::vector<int> held = heldNodes(mesh.mesh(), scene.boundary);
   remarkOnClamps(scene, mesh, held, &remarks);

@@ -1,8 +1,18 @@
 #include "incision/mesh/rest_box.h"
 
+#include <Eigen/Geometry>
+
 #include "incision/base/yaml_reader.h"
+#include "incision/mesh/tet_mesh.h"
 
 namespace incision {
+
+RestBox boundsOf(const TetMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& element : mesh.elements)
+    for (int n : element) box.extend(mesh.nodes[n]);
+  return {box.min(), box.max()};
+}
 
 RestBox parseRestBox(const YamlValue& value) {
   const std::vector<YamlValue> ends = value.list(2);

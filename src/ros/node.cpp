@@ -164,7 +164,7 @@ void IncisionNode::tellStep() {
   for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].publish(last_step_, body_, step_input_.tools()[i]);
   publishing_.flush();
   if (!last_step_.settled)
-    reporter_.warn("settling", std::to_string(body_.unsettledSteps()) + " steps so far whose contacts did not settle");
+    reporter_.warn("settling", std::to_string(body_.unsettledSteps()) + " steps so far that did not settle");
 }
 
 /// Each change once, and those before a failure of the step too.

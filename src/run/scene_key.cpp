@@ -68,8 +68,8 @@ void save(Archive& archive, const Load& load) {
 /// Results do not depend on how many threads there are.
 template <class Archive>
 void save(Archive& archive, const SolverSettings& solver) {
-  const auto& [time_step, method, tolerance, threads, integrator] = solver;
-  archive(time_step, method, tolerance, integrator);
+  const auto& [time_step, method, tolerance, threads, integrator, iterations] = solver;
+  archive(time_step, method, tolerance, integrator, iterations);
 }
 
 template <class Archive>

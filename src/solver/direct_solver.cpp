@@ -144,8 +144,8 @@ void DirectSolver::findBlocks(const std::vector<Spring>& springs) {
   analyse();
 }
 
-int DirectSolver::correct(const std::vector<Vec3>& r, const std::vector<double>&, const Basis*, std::vector<Vec3>* d,
-                          std::vector<Vec3>* left) {
+int DirectSolver::correct(const std::vector<Vec3>& r, const std::vector<double>&, int, const Basis*,
+                          std::vector<Vec3>* d, std::vector<Vec3>* left) {
   if (pattern_.rows() == 0) return 0;
   b_.resize(3 * pattern_.rows());
   for (int row = 0; row < pattern_.rows(); ++row)

@@ -220,7 +220,8 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
 bool ImplicitStep::takeChange(const Motion& start) {
   balanceMomentum(true, &dv_);
   rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
-  return demand_ == StepDemand::ANY || (newton_.stats().settled && !turnsTooFar());
+  const SolveStats& stats = newton_.stats();
+  return demand_ == StepDemand::ANY || ((stats.settled || stats.cut_short) && !turnsTooFar());
 }
 
 /// Whether that is not what is demanded.
@@ -245,8 +246,8 @@ bool ImplicitStep::solve(double time, const Motion& motion, Couplers* couplers) 
   double reach = 0;
   for (const Vec3& x : base_.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
   const double tolerance = settings_.method == Method::DIRECT ? ATTAINABLE : settings_.tolerance;
-  return newton_.solve({this, couplers, time_step_, tolerance, ahead_, external_, time_step_ * reach, memory_.basis,
-                        piece_, held_, memory_.group, rigid_, base_.x},
+  return newton_.solve({this, couplers, time_step_, tolerance, settings_.iterations, ahead_, external_,
+                        time_step_ * reach, memory_.basis, piece_, held_, memory_.group, rigid_, base_.x},
                        &norms_, &dv_);
 }
 

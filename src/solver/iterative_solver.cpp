@@ -94,7 +94,7 @@ void IterativeSolver::stretchSprings(const std::vector<Vec4f>& p) {
   parallelFor(coupled_.count(), assembly_->threads(), [&](int c) { coupled_.stretch(c, p); });
 }
 
-int IterativeSolver::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+int IterativeSolver::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
                              std::vector<Vec3>* d, std::vector<Vec3>* left) {
   if (pattern_.rows() == 0) return 0;
   const double unit = scaleResidual(r);
@@ -102,7 +102,7 @@ int IterativeSolver::correct(const std::vector<Vec3>& r, const std::vector<doubl
   std::fill(y_.begin(), y_.end(), Vec4f::Zero());
   findActive(limit, unit);
   if (basis) guess(*basis);
-  const int iterations = iterate(limit, unit);
+  const int iterations = iterate(limit, unit, std::min(most, MAX_ITERATIONS));
   parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
     (*d)[pattern_.copies[i]] = unit * scale_[i] * y_[i].head<3>().cast<double>();
     (*left)[pattern_.copies[i]] = unit / scale_[i] * r_[i].head<3>().cast<double>();
@@ -191,9 +191,9 @@ void IterativeSolver::guess(const Basis& basis) {
   });
 }
 
-/// Adds to y_ what solves Â y = r_, until every piece is below its limit; r_ becomes the residual of the float matrix.
-/// The scalars are those of each group: it is as if each were iterated alone.
-int IterativeSolver::iterate(const std::vector<double>& limit, double unit) {
+/// Adds to y_ what solves Â y = r_, until every piece is below its limit, or `most` times; r_ becomes the residual of
+/// the float matrix. The scalars are those of each group: it is as if each were iterated alone.
+int IterativeSolver::iterate(const std::vector<double>& limit, double unit, int most) {
   for (int a : active_) terms_[a] = squareOf(a);
   sumPieces();
   for (std::size_t s = 0; s < limit.size(); ++s)
@@ -205,7 +205,7 @@ int IterativeSolver::iterate(const std::vector<double>& limit, double unit) {
   stopGroups();
   coarse_.clearResidual();
   for (int a : active_) coarse_.restrictAggregate(a, r_);
-  for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
+  for (int iteration = 0; iteration < most; ++iteration) {
     if (active_.empty()) return iteration;
     precondition();
     findDirections(iteration == 0);
@@ -213,7 +213,7 @@ int IterativeSolver::iterate(const std::vector<double>& limit, double unit) {
     advance();
     stopGroups();
   }
-  return MAX_ITERATIONS;
+  return most;
 }
 
 /// Adds the aggregates' terms up by group, and by piece.

@@ -51,8 +51,9 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     stats_.settled = !coupled || isSettled(p, *norms);
     const bool last_springs = stats_.settled || stats_.solves >= MAX_SOLVES;
     if (!coupled) p.equations->balance(dv);
-    if (tight) p.equations->residual(*dv, &alone_);
+    if (tight || hasRunOut(p)) p.equations->residual(*dv, &alone_);
     stats_.residual = ratioLeft(norms);
+    const bool finite = std::isfinite(stats_.residual);
     if (tight) {
       const bool done = stats_.residual <= p.tolerance || p.equations->isDirect();
       if (done && last_springs) {
@@ -60,16 +61,28 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
         return true;
       }
       // What float has lost, a fresh residual finds; where it does not, a direct solver may.
-      const bool finite = std::isfinite(stats_.residual);
       if (!done && (same_springs || !finite) && !(stats_.residual < MIN_PROGRESS * before)) {
+        if (p.most_iterations && finite) return endShort();
         if (!p.equations->fallBack(used_)) return false;
         if (!finite) startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
       }
       before = stats_.residual;
     }
+    if (finite && hasRunOut(p)) return endShort();
     if (!last_springs) before = std::numeric_limits<double>::infinity();
     same_springs = tight = last_springs;
   }
+}
+
+bool Newton::hasRunOut(const StepProblem& p) const {
+  return p.most_iterations && stats_.iterations >= *p.most_iterations;
+}
+
+/// The step is what it is now.
+bool Newton::endShort() {
+  stats_.cut_short = true;
+  stats_.settled = false;
+  return true;
 }
 
 /// Where nothing drives the body on from Δv = 0 there is nothing to solve.
@@ -153,8 +166,9 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool f
   }
   direction_.assign(copies, Vec3::Zero());
   left_.resize(copies);
+  const int most = p.most_iterations ? *p.most_iterations - stats_.iterations : std::numeric_limits<int>::max();
   stats_.iterations +=
-      p.equations->correct(right_, limit_, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
+      p.equations->correct(right_, limit_, most, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
   for (Group& group : groups_) group.share = 1;
   if (!p.couplers) return true;
   pull_.resize(copies);

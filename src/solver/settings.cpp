@@ -5,7 +5,7 @@
 namespace incision {
 
 SolverSettings parseSolver(const YamlValue& value) {
-  const YamlMap map = value.map({"time_step", "method", "tolerance", "threads", "integrator"});
+  const YamlMap map = value.map({"time_step", "method", "tolerance", "threads", "integrator", "iterations"});
   SolverSettings solver;
   solver.time_step = map.number("time_step", solver.time_step, SolverSettings::TIME_STEP);
   if (const auto method = map.find("method")) {
@@ -16,6 +16,8 @@ SolverSettings parseSolver(const YamlValue& value) {
   if (const auto threads = map.find("threads")) solver.threads = threads->integer(1, SolverSettings::MAX_THREADS);
   if (const auto integrator = map.find("integrator"))
     solver.integrator = integrator->choice<Integrator>({{"euler", Integrator::EULER}, {"bdf2", Integrator::BDF2}});
+  if (const auto iterations = map.find("iterations"))
+    solver.iterations = iterations->integer(1, SolverSettings::MAX_ITERATIONS);
   return solver;
 }
 

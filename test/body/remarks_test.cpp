@@ -74,5 +74,18 @@ TEST(Remarks, TellOfABodyThatNothingHolds) {
   EXPECT_TRUE(remarksOn(weightless).empty());
 }
 
+TEST(Remarks, AskWhetherALargeMeshIsInMillimetres) {
+  Scene scene = heldBar();
+  TetMesh mesh = loadMesh(scene);
+  for (Vec3& node : mesh.nodes) node *= 80;
+  scene.boundary[0].place.box.max = {1e-6, 1e3, 1e3};
+  EXPECT_TRUE(remarksOn(scene, mesh).empty()) << "a grid";
+  scene.body.meshes = {PlacedMesh()};
+  ASSERT_EQ(remarksOn(scene, mesh).size(), 1u);
+  EXPECT_NE(remarksOn(scene, mesh)[0].find("scale: 0.001"), std::string::npos) << remarksOn(scene, mesh)[0];
+  scene.body.meshes[0].scale = 80;
+  EXPECT_TRUE(remarksOn(scene, mesh).empty()) << "a scale that was chosen";
+}
+
 }  // namespace
 }  // namespace incision::test

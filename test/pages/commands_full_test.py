@@ -89,6 +89,10 @@ class Commands(sessions.Commands):
         result = sessions.last_json(self.session.run(BATCH.text))
         self.assertEqual(1, result['cracks'])
         self.assertAlmostEqual(0.08 * 0.06 * 0.05, sum(result['piece_volumes']), delta=1e-6)
+        self.write('block.geo', STL_OF_A_BLOCK + 'Mesh.ScalingFactor = 1000;')
+        self.session.run('gmsh -2 block.geo -format stl -o surface.stl; rm body.msh')
+        self.assertIn('is UNIT right', self.session.run(STL_TO_MESH.text + ' || echo refused'))
+        self.assertFalse((self.session.folder / 'body.msh').exists())
 
     def test_other_formats_become_meshes(self):
         self.write('block.geo', STL_OF_A_BLOCK)

@@ -55,6 +55,7 @@ exec "$REAL" "$@"
             _, err = process.communicate(timeout=30)
             self.assertEqual(process.returncode, status, err)
             self.assertIn(f'{self.ended()} of 20 runs are done, {20 - self.ended()} are still to be run', err)
+            self.assertIn(f'start it again to go on; the table: {self.out / "study.csv"}', err)
             self.assertEqual(len(self.table()), self.ended())
             self.assertEqual(list((self.out / 'runs').glob('*.tmp')), [])
         self.assertLess(self.ended(), 20)

@@ -66,8 +66,8 @@ class StudyFile(StudyCase):
         self.refused(f'{BEGIN}vary: {{gravity.0: {wide}}}\nrepetitions: 1000', '10000000 runs')
 
     def test_what_the_scene_refuses_is_told_before_the_first_run(self):
-        self.refused(BEGIN + 'set: {solver.time_stepp: 1}', 'time_stepp: unknown key')
-        self.refused(BEGIN + 'vary: {solver.time_step: [.nan, 0.1]}', 'time_step')
+        self.refused(BEGIN + 'set: {solver.time_stepp: 1}', 'study.yaml: set.solver.time_stepp: ', 'unknown key')
+        self.refused(BEGIN + 'vary: {solver.time_step: [.nan, 0.1]}', 'study.yaml: vary.solver.time_step: ')
         self.assertEqual(list((self.out / 'runs').iterdir()), [])
 
     def test_options(self):

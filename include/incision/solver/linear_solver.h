@@ -60,8 +60,10 @@ class LinearSolver {
   /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. Each piece's
   /// |left|² in the norm scaled by the diagonal of A is then at most its `limit`, or as near to it as the solver gets;
   /// pieces that are there to begin with have d = 0. The solution is likely near a sum of multiples of the vectors in
-  /// `basis`, where there is one. Returns how many iterations that took.
-  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+  /// `basis`, where there is one. An iteration ends
+  /// after `most` with what it has, which is never worse than d = 0 in the energy |d|²_A / 2 − d·r. Returns how many
+  /// iterations that took.
+  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
                       std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
 
   /// Whether what `correct` finds is as near as numbers in double allow, whatever the limit.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "incision/solver/couplers.h"
@@ -17,8 +18,10 @@ struct SolveStats {
   int solves = 0;      ///< Newton steps; 0 where there was nothing to solve
   /// What is left over what acts, as PieceNorms measures it, reckoned in double from the forces.
   double residual = 0;
-  /// One more Newton step would change no spring's force by more than 1e-3 of the largest in its group of pieces.
+  /// One more Newton step would change no spring's force by more than 1e-3 of the largest in its group of pieces, and
+  /// no solve was ended before its tolerance.
   bool settled = true;
+  bool cut_short = false;  ///< ended by StepProblem::most_iterations
 
   /// Adds a part of the step, or one that was tried in vain.
   void add(const SolveStats& part, bool taken) {
@@ -27,6 +30,7 @@ struct SolveStats {
     if (!taken) return;
     residual = std::max(residual, part.residual);
     settled = settled && part.settled;
+    cut_short = cut_short || part.cut_short;
   }
 };
 
@@ -43,7 +47,7 @@ class StepEquations {
   virtual bool setSprings(const std::vector<Spring>& springs) = 0;
 
   /// LinearSolver::correct and isDirect.
-  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, const Basis* basis,
+  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
                       std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
   virtual bool isDirect() const = 0;
 
@@ -64,6 +68,7 @@ struct StepProblem {
   Couplers* couplers;                   ///< null: none takes part
   double time_step;                     ///< [s]
   double tolerance;                     ///< of linear solves
+  std::optional<int> most_iterations;   ///< of all linear solves together; they then end with what they have
   const std::vector<Vec3>& ahead;       ///< how far each copy goes where Δv = 0 [m]
   const std::vector<Vec3>& loads;       ///< impulse of weight and loads on each copy [N s]
   double reach;                         ///< Δt times the largest coordinate [m s]
@@ -123,6 +128,8 @@ class Newton {
   void findImpulses(const StepProblem& p);
   void shareImpulses();
   double ratioLeft(PieceNorms* norms);
+  bool hasRunOut(const StepProblem& p) const;
+  bool endShort();
   static int groupOf(const StepProblem& p, const Spring& spring);
 
   SolveStats stats_;
