@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "incision/base/parallel.h"
-#include "incision/fem/rotation.h"
+#include "lanes.h"
 
 namespace incision {
 namespace {
@@ -29,7 +29,6 @@ Assembly::Assembly(const CutMesh& mesh, const Materials& materials, Mass mass, P
   const std::size_t expected = mesh.parts().size() + mesh.parts().size() / 4;
   rotations_.reserve(expected);
   if (warping) found_rotations_.reserve(expected);
-  part_forces_.reserve(expected);
   if (pressure == Pressure::AVERAGED) patches_.emplace(mesh, materials.regions());
 }
 
@@ -48,7 +47,7 @@ void Assembly::topologyChanged(const std::vector<Vec3>& x, const std::vector<int
     if (is_touched[mesh_.copyNode(c)]) sumCorners(c);
   });
 
-  part_forces_.resize(parts.size());
+  run_sums_.topologyChanged(parts, copies);
   const std::size_t known = rotations_.size();
   rotations_.resize(parts.size(), Mat3::Identity());
   if (!warping_) return;
@@ -171,19 +170,50 @@ void Assembly::reset() {
 // the derivative of Σ_p V_p μ ε:ε + Σ_a V_a ½ λ θ_a², as every θ_p goes into θ_a by its volume.
 void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const {
   if (patches_) averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
-  parallelFor(static_cast<int>(mesh_.parts().size()), threads_, [&](int p) {
-    const Mat3& R = rotations_[p];
-    const TissueElement& element = elements_[mesh_.parts()[p].element];
-    const double V = mesh_.parts()[p].fraction * element.volume;
-    const Lame lame = {V * element.lame.lambda, V * element.lame.mu};
-    part_forces_[p].noalias() = (R * stressOf(p, R.transpose() * gradientOf(p, y), lame)) * element.b;
+  parallelFor(run_sums_.runs(), threads_, [&](int run) {
+    run_sums_.clear(run);
+    const int parts = static_cast<int>(mesh_.parts().size()), end = std::min(parts, RunSums::RUN * (run + 1));
+    for (int p = RunSums::RUN * run; p < end; p += LANES) addForces(p, std::min(LANES, end - p), y);
   });
-  gather(
-      [&](const Corner& corner) -> Vec3 {
-        const Mat3& f = part_forces_[corner.part];
-        return corner.node > 0 ? Vec3(f.col(corner.node - 1)) : Vec3(-f.col(0) - f.col(1) - f.col(2));
-      },
-      forces);
+  run_sums_.gather(forces, threads_);
+}
+
+/// Those of up to LANES parts go into their run's sums.
+void Assembly::addForces(int first, int count, const std::vector<Vec3>& y) const {
+  std::array<int, LANES> at;  // the last one fills up the lanes
+  std::array<const TissueElement*, LANES> element;
+  LaneMatrix D, b, R, F, RtF, stress, turned, f;
+  Lanes lambda, mu, dilatation = Lanes();
+  for (int l = 0; l < LANES; ++l) {
+    at[l] = first + std::min(l, count - 1);
+    const Part& part = mesh_.parts()[at[l]];
+    element[l] = &elements_[part.element];
+    const Vec3& y_0 = y[part.copies[0]];
+    for (int J = 0; J < 3; ++J)
+      for (int i = 0; i < 3; ++i) D[i][J][l] = y[part.copies[J + 1]][i] - y_0[i];
+    const double V = part.fraction * element[l]->volume;
+    lambda[l] = V * element[l]->lame.lambda;
+    mu[l] = V * element[l]->lame.mu;
+    if (patches_) dilatation[l] = mean_dilatations_[patches_->of(at[l])];
+  }
+  load([&](int l) -> const Mat3& { return element[l]->b; }, b);
+  load([&](int l) -> const Mat3& { return rotations_[at[l]]; }, R);
+  multiplyByTransposed(D, b, F);
+  multiplyTransposed(R, F, RtF);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) stress[i][j] = mu * (RtF[i][j] + RtF[j][i] - (i == j ? 2.0 : 0.0));
+  if (!patches_) dilatation = RtF[0][0] + RtF[1][1] + RtF[2][2] - 3.0;
+  for (int i = 0; i < 3; ++i) stress[i][i] += lambda * dilatation;
+  multiply(R, stress, turned);
+  multiply(turned, b, f);
+  for (int l = 0; l < count; ++l) {
+    const std::array<Vec3*, 4> sums = {&run_sums_.at(at[l], 0), &run_sums_.at(at[l], 1), &run_sums_.at(at[l], 2),
+                                       &run_sums_.at(at[l], 3)};
+    for (int i = 0; i < 3; ++i) {
+      for (int J = 0; J < 3; ++J) (*sums[J + 1])[i] += f[i][J][l];
+      (*sums[0])[i] -= f[i][0][l] + f[i][1][l] + f[i][2][l];
+    }
+  }
 }
 
 /// θ_p = tr(R_pᵀ F_p) − 3 of every part, then θ_a = Σ V_p θ_p / V_a of every patch.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanes.h"
+
 namespace incision {
 namespace {
 
@@ -18,40 +20,16 @@ constexpr double LAST_TURN = 1e-8;
 /// Turns further than this in one iteration are outside the region where Newton's iteration is trusted.
 constexpr double MAX_TURN = 0.5;
 
-/// LANES numbers that are reckoned with together.
-using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
-using LaneMatrix = Lanes[3][3];
-
 bool all(const decltype(Lanes() > Lanes())& condition) {
   for (int l = 0; l < LANES; ++l)
     if (!condition[l]) return false;
   return true;
 }
 
-void load(const Mat3* matrices, LaneMatrix& lanes) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int l = 0; l < LANES; ++l) lanes[i][j][l] = matrices[l](i, j);
-}
-
-void store(const LaneMatrix& lanes, Mat3* matrices) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int l = 0; l < LANES; ++l) matrices[l](i, j) = lanes[i][j][l];
-}
-
-/// C = AᵀB, or AB.
-void multiply(const LaneMatrix& A, bool transpose, const LaneMatrix& B, LaneMatrix& C) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      C[i][j] = transpose ? A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j]
-                          : A[i][0] * B[0][j] + A[i][1] * B[1][j] + A[i][2] * B[2][j];
-}
-
 /// Newton's step of polarRotation: half the turn, in `a`, and whether G is positive definite in every lane.
 bool halfTurn(const LaneMatrix& R, const LaneMatrix& F, Lanes (&a)[3]) {
   LaneMatrix A;
-  multiply(R, true, F, A);
+  multiplyTransposed(R, F, A);
   const Lanes g00 = A[1][1] + A[2][2], g11 = A[0][0] + A[2][2], g22 = A[0][0] + A[1][1];
   const Lanes g01 = -0.5 * (A[0][1] + A[1][0]), g02 = -0.5 * (A[0][2] + A[2][0]), g12 = -0.5 * (A[1][2] + A[2][1]);
   const Lanes c00 = g11 * g22 - g12 * g12, c01 = g02 * g12 - g01 * g22, c02 = g01 * g12 - g02 * g11;
@@ -73,17 +51,17 @@ void turn(const Lanes (&a)[3], LaneMatrix& R) {
                         {s * (a[0] * a[1] + a[2]), d + s * a[1] * a[1], s * (a[1] * a[2] - a[0])},
                         {s * (a[0] * a[2] - a[1]), s * (a[1] * a[2] + a[0]), d + s * a[2] * a[2]}};
   LaneMatrix turned;
-  multiply(R, false, Q, turned);
+  multiply(R, Q, turned);
   std::copy_n(&turned[0][0], 9, &R[0][0]);
 }
 
 /// R (3 − RᵀR)/2, which takes back what rounding has added to R.
 void normalise(LaneMatrix& R) {
   LaneMatrix correction, corrected;
-  multiply(R, true, R, correction);
+  multiplyTransposed(R, R, correction);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) correction[i][j] = (i == j ? 1.5 : 0.0) - 0.5 * correction[i][j];
-  multiply(R, false, correction, corrected);
+  multiply(R, correction, corrected);
   std::copy_n(&corrected[0][0], 9, &R[0][0]);
 }
 
@@ -119,8 +97,8 @@ Mat3 polarRotation(const Mat3& F, const Mat3& guess) {
 
 void polarRotations(const Mat3* F, Mat3* R) {
   LaneMatrix f, r;
-  load(F, f);
-  load(R, r);
+  load([&](int l) -> const Mat3& { return F[l]; }, f);
+  load([&](int l) -> const Mat3& { return R[l]; }, r);
   const Lanes most = Lanes() + MAX_TURN * MAX_TURN / 4, least = Lanes() + LAST_TURN * LAST_TURN / 4;
   Lanes a[3];
   for (int i = 0; i < MAX_ITERATIONS && halfTurn(r, f, a); ++i) {
@@ -129,7 +107,7 @@ void polarRotations(const Mat3* F, Mat3* R) {
     turn(a, r);
     if (!all(square < least)) continue;
     normalise(r);
-    return store(r, R);
+    return store(r, [&](int l) -> Mat3& { return R[l]; });
   }
   for (int l = 0; l < LANES; ++l) R[l] = polarRotation(F[l], R[l]);
 }

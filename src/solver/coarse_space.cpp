@@ -6,6 +6,7 @@
 
 #include "incision/base/parallel.h"
 #include "incision/base/sort_once.h"
+#include "row_modes.h"
 
 namespace incision {
 namespace {
@@ -137,22 +138,10 @@ void CoarseSpace::projectAggregate(int I, const std::vector<float>& blocks) {
     // Columns of one aggregate mostly follow each other: A_ij Q_j is summed over such a run first.
     for (int k = pattern_->row_start[i]; k < pattern_->row_start[i + 1];) {
       const int J = aggregates_->of[pattern_->column[k]];
-      Mat3 shift = Mat3::Zero(), turn = Mat3::Zero();
-      for (; k < pattern_->row_start[i + 1] && aggregates_->of[pattern_->column[k]] == J; ++k) {
-        if (J > I) continue;
-        const Vec4f& arm = arm_[pattern_->column[k]];
-        const Mat3 A =
-            Eigen::Map<const Eigen::Matrix3f>(&blocks[static_cast<std::size_t>(BLOCK_SIZE) * k]).cast<double>();
-        shift += arm.w() * A;
-        turn -= A * crossMatrix(arm.head<3>().cast<double>());
-      }
-      if (J > I) continue;
-      const Mat3 arms = crossMatrix(arm_[i].head<3>().cast<double>());
-      CoarseBlock& block = coarse_blocks_[blockAt(I, J)];
-      block.topLeftCorner<3, 3>() += arm_[i].w() * shift;
-      block.topRightCorner<3, 3>() += arm_[i].w() * turn;
-      block.bottomLeftCorner<3, 3>() += arms * shift;
-      block.bottomRightCorner<3, 3>() += arms * turn;
+      RowModes sum;
+      for (; k < pattern_->row_start[i + 1] && aggregates_->of[pattern_->column[k]] == J; ++k)
+        if (J <= I) sum.add(&blocks[static_cast<std::size_t>(BLOCK_SIZE) * k], arm_[pattern_->column[k]]);
+      if (J <= I) sum.addTo(arm_[i], coarse_blocks_[blockAt(I, J)].data());
     }
   }
 }

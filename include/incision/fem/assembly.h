@@ -10,6 +10,7 @@
 #include "incision/fem/materials.h"
 #include "incision/fem/patches.h"
 #include "incision/fem/pressure.h"
+#include "incision/fem/run_sums.h"
 
 namespace incision {
 
@@ -96,6 +97,7 @@ class Assembly {
   };
 
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
+  void addForces(int first, int count, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
   template <typename Function>
   void turnAll(const std::vector<Vec3>& x, const Function& f) const;
@@ -126,7 +128,7 @@ class Assembly {
   Lists<Corner> corners_;
   mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_; else those before the last `rotate`
   mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
-  mutable std::vector<Mat3> part_forces_;        // on nodes 1 to 3 of each part; scratch of elasticForces
+  mutable RunSums run_sums_;                     // scratch of elasticForces
   mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass
   mutable std::vector<double> dilatations_, mean_dilatations_;  // of parts and patches; scratch of averaged pressure
 };

@@ -5,10 +5,6 @@
 namespace incision {
 namespace {
 
-/// Triangles of the sweep kept for one element; the oldest go first. An element is cut by the first of the sweeps that
-/// enter it; these tell what the last element of the way was.
-constexpr std::size_t MAX_TRIANGLES = 128;
-
 /// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
 /// each element runs beside the swept surface by what that bends within one, and so through elements that the surface
 /// itself just misses.
@@ -105,11 +101,7 @@ void Stroke::keepTriangles(const CutMesh& mesh) {
     triangles.push_back({c[0], c[2], c[3]});
   };
   for (const Passed& passed : passed_) keep(passed);
-  for (const auto& [element, triangles] : just_swept_) {
-    std::deque<SweptTriangle>& kept = memory_.swept[element];
-    kept.insert(kept.end(), triangles.begin(), triangles.end());
-    while (kept.size() > MAX_TRIANGLES) kept.pop_front();
-  }
+  for (const auto& [element, triangles] : just_swept_) memory_.swept[element].add(triangles);
   for (const Passed& passed : beside_) keep(passed);
 }
 

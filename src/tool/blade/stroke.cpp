@@ -126,18 +126,15 @@ CrackField Stroke::field(const CutMesh& mesh) const {
 bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi) const {
   const auto found = memory_.swept.find(part.element);
   if (found == memory_.swept.end()) return false;
-  const std::deque<SweptTriangle>& triangles = found->second;
   const Vec3 across =
       gradient(Eigen::Vector4d(phi[part.copies[0]], phi[part.copies[1]], phi[part.copies[2]], phi[part.copies[3]]));
-  const auto covered = [&](const Barycentric& point) {
-    return std::any_of(triangles.begin(), triangles.end(),
-                       [&](const SweptTriangle& triangle) { return isBehind(triangle, point, across); });
-  };
-  if (!progressive_ || liesInFace(polygon)) return covered(polygonCentroid(polygon));
+  const SweptShadow shadow(found->second, across, polygon);
+  if (shadow.isEmpty()) return false;
+  if (!progressive_ || liesInFace(polygon)) return shadow.covers(polygonCentroid(polygon));
   const std::vector<Barycentric> points = spread(polygon);
   double left = FIRST_SHARE * static_cast<double>(points.size());
   return std::any_of(points.begin(), points.end(), [&](const Barycentric& point) {
-    left -= covered(point);
+    left -= shadow.covers(point);
     return left <= 0;
   });
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -8,6 +7,7 @@
 
 #include "incision/base/memory_limits.h"
 #include "incision/cut/mesh_door.h"
+#include "incision/tool/blade/swept_triangles.h"
 #include "incision/tool/blade/ties.h"
 #include "incision/tool/near_parts.h"
 
@@ -71,14 +71,14 @@ class Stroke {
 
   /// What of the stroke outlasts a step.
   struct Memory {
-    std::optional<int> crack;                                  ///< as crack() tells
-    int cracks = 0;                                            ///< that it has made
-    bool begun = false;                                        ///< it has met a part of the body
-    std::vector<Stand> stands;                                 ///< of each edge; none: none has swept anything
-    Vec3 normal = Vec3::Zero();                                ///< of the sweep so far, to keep the sides' signs
-    std::unordered_map<int, Vec3> ways;                        ///< round each copy: normals of the last sweeps [m]
-    std::unordered_map<int, Distance> distances;               ///< of the copies of parts the sweep has passed
-    std::unordered_map<int, std::deque<SweptTriangle>> swept;  ///< so far, in each element it met
+    std::optional<int> crack;                       ///< as crack() tells
+    int cracks = 0;                                 ///< that it has made
+    bool begun = false;                             ///< it has met a part of the body
+    std::vector<Stand> stands;                      ///< of each edge; none: none has swept anything
+    Vec3 normal = Vec3::Zero();                     ///< of the sweep so far, to keep the sides' signs
+    std::unordered_map<int, Vec3> ways;             ///< round each copy: normals of the last sweeps [m]
+    std::unordered_map<int, Distance> distances;    ///< of the copies of parts the sweep has passed
+    std::unordered_map<int, SweptTriangles> swept;  ///< so far, in each element it met
   };
   const Memory& keep() const { return memory_; }
   void recall(const Memory& memory) { memory_ = memory; }
