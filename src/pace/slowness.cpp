@@ -37,7 +37,8 @@ std::string Slowness::inWords(double passed, int threads, int machine_threads) c
     return words.str();
   }
   if (step <= time_step_) {
-    words << " on average, the longest " << 1e3 * longest << " ms, and what one loses no other makes up for";
+    words << " on average, the longest " << 1e3 * longest << " ms, and what one loses no other makes up for; "
+          << "solver.iterations would bound what a solve takes";
     return words.str();
   }
   words << "; a coarser mesh or a longer solver.time_step would help";

@@ -93,6 +93,8 @@ Json runCuts(const Scene& scene, const CutWindows& windows) {
   const std::vector<StepResult> cutting = thoseThatCut(steps);
   row["cut"] = summary(cutting, 0, cutting.size());
   row["after"] = summary(steps, after, windows.after);
+  for (std::size_t k = first - HITCH_BEFORE; k < std::min(steps.size(), first - HITCH_BEFORE + HITCH); ++k)
+    row["hitch"].push_back(steps[k].step_ms);
   if (windows.later > 0) row["later"] = summary(steps, after + windows.at_later, windows.later);
   return row;
 }

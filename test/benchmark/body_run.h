@@ -24,8 +24,10 @@ struct CutWindows {
 };
 
 /// Takes steps through all cuts of a scene. The row holds sizes before and after, "load_s" (mesh and body), "first_ms"
-/// of the first step, and the summaries "before", "cut" (of the steps that cut), "after" and "later".
+/// of the first step, the summaries "before", "cut" (of the steps that cut), "after" and "later", and "hitch": the time
+/// of each of HITCH steps [ms], of which the HITCH_BEFORE + 1st is the first that cuts.
 Json runCuts(const Scene& scene, const CutWindows& windows);
+inline constexpr int HITCH = 20, HITCH_BEFORE = 5;
 
 /// Of `count` steps: "median_ms", "p99_ms", "phase_ms" (means of the phases), "iterations" (mean).
 Json summary(const std::vector<StepResult>& steps, std::size_t first, std::size_t count);

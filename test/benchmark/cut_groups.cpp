@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "benchmark/body_run.h"
@@ -50,6 +51,8 @@ Json measureCuts(const std::string& name, const Scene& scene, const CutWindows& 
     if (round == 0) best = row;
     for (const char* window : WINDOWS)
       if (row.contains(window) && row[window]["median_ms"] < best[window]["median_ms"]) best[window] = row[window];
+    for (std::size_t k = 0; k < best["hitch"].size(); ++k)
+      best["hitch"][k] = std::min(best["hitch"][k].get<double>(), row["hitch"][k].get<double>());
   }
   Json row = {{"name", name}};
   row.update(best);
@@ -69,11 +72,21 @@ void report(const Table& table, Json row, const std::string& scene, Json* rows) 
 }  // namespace
 
 bool cuts(const Options& options, Json* rows) {
-  const Table table("A plane through at most 5 % of a bar's elements; wanted: cut 2, after 1.8, later 1.3 times before",
-                    columns());
+  const Table table(
+      "A plane through at most 5 % of a bar's elements; wanted: cut 1.6, after 1.2 times before. Then no step iterates "
+      "more than a quarter more often than those before the cut",
+      columns());
   const int rounds = options.quick ? 1 : 5;
-  for (const Cells& cells : {MIDDLE, BIG})
-    report(table, measureCuts(nameOf(cells), cutBar(cells), {20, 20, 20, 100}, rounds), "cuts", rows);
+  for (const Cells& cells : {MIDDLE, BIG}) {
+    Scene scene = cutBar(cells);
+    const Json row = measureCuts(nameOf(cells), scene, {20, 20, 20, 100}, rounds);
+    report(table, row, "cuts", rows);
+    scene.solver.iterations = static_cast<int>(std::ceil(1.25 * row["before"]["iterations"].get<double>()));
+    report(table,
+           measureCuts(nameOf(cells) + ", iterations: " + std::to_string(*scene.solver.iterations), scene,
+                       {20, 20, 20, 100}, rounds),
+           "cuts", rows);
+  }
   return true;
 }
 

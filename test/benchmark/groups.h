@@ -17,8 +17,10 @@ struct Options {
 bool tips(const Options& options, Json* rows);
 /// The three bars, soft and stiff, with each method; on the soft ones the plain reference and Bullet too.
 bool grids(const Options& options, Json* rows);
-/// The bar on one, two and four threads.
+/// The bar on one to eight threads.
 bool threads(const Options& options, Json* rows);
+/// The bar from a thousand to three million elements; without `large` to three hundred thousand.
+bool sizes(const Options& options, Json* rows);
 /// The bar without warping.
 bool linear(const Options& options, Json* rows);
 /// What a cut through at most 5 % of the elements costs.

@@ -176,7 +176,8 @@ void iteration(State& state) {
     Motion motion = atRest(bar.x);
     ImplicitStep step = makeStep(bar, bar.mesh);
     step.topologyChanged(motion);
-    step.advance(0, TIME_STEP, &motion);
+    step.begin(TIME_STEP, motion);
+    step.advance(0, &motion);
     return 1e-3 * step.times().solve / step.stats().iterations;
   });
 }
@@ -256,7 +257,8 @@ void cutTopology(State& state) {
     Motion motion = atRest(bar.x);
     ImplicitStep step = makeStep(bar, mesh);
     step.topologyChanged(motion);
-    step.advance(0, TIME_STEP, &motion);
+    step.begin(TIME_STEP, motion);
+    step.advance(0, &motion);
     const Insertion done = mesh.insert(planeField(plane(), mesh, motion.x));
     for (int c = static_cast<int>(motion.x.size()); c < mesh.numCopies(); ++c) {
       motion.x.push_back(motion.x[mesh.copyParent(c)]);

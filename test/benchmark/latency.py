@@ -30,13 +30,12 @@ import roslib.packages  # noqa: E402
 import rospy  # noqa: E402
 from incision.msg import BodyState  # noqa: E402
 
-CELLS = ((16, 4, 4), (32, 8, 8))
+BODIES = (((16, 4, 4), 0.001), ((32, 8, 8), 0.005))  # cells, and the time step [s]
 SIZE = (0.4, 0.1, 0.1)  # of the block [m]
 WAY = 0.36              # of the blade in the run [m]
 BESIDE = 0.045          # of the cut, from a side, not to run along the elements' faces [m]
 DEPTH = 0.05            # of the blade below the block's top [m]
 RATE = 1000             # poses a second
-TIME_STEP = 0.01        # [s]
 SHARES = 20             # places between two steps at which any pose may come
 
 # Of the curves: key, name, dash.
@@ -44,13 +43,14 @@ KINDS = (('newest', 'newest pose', '-'), ('any', 'any pose', '--'))
 COLOURS = ('#1b2a49', '#c1443c')
 
 
-def scene(cells):
-    """Tissue that lies on a table."""
+def scene(cells, time_step):
+    """Tissue that lies on a table; the faces of the cut press on each other."""
     return {'body': {'grid': {'cells': list(cells), 'size': list(SIZE), 'origin': [0, 0, 0]},
                      'material': {'young_modulus': 3e4, 'poisson_ratio': 0.45, 'density': 1000, 'mass_damping': 2}},
             'boundary': [{'box': [[-1, -1, -1e-6], [1, 1, 1e-6]]}],
-            'solver': {'time_step': TIME_STEP},
-            'tool': {'link': 'blade', 'edge': [[0, 0, 0], [0, 0, SIZE[2]]], 'cutting_force': 20}}
+            'solver': {'time_step': time_step, 'tolerance': 1e-4},
+            'contact': {'friction': 0.3},
+            'tools': {'scalpel': {'type': 'blade', 'edge': [[0, 0, 0], [0, 0, SIZE[2]]], 'cutting_force': 20}}}
 
 
 def path():
@@ -70,10 +70,10 @@ def running(program, name, parameters, remapped=()):
         process.wait()
 
 
-def states_of(cells, seconds):
+def states_of(cells, time_step, seconds):
     """All states in which the blade is in the tissue, of a run of some seconds."""
     states = []
-    with running('incision_node', 'body', {'scene': scene(cells), 'marker_rate': 0}):
+    with running('incision_node', 'body', {'scene': scene(cells, time_step), 'marker_rate': 0}):
         rospy.wait_for_message('/body/state', BodyState, timeout=60)
         subscriber = rospy.Subscriber('/body/state', BodyState, states.append, queue_size=None, tcp_nodelay=True)
         with running('incision_scalpel', 'scalpel', {'path': path(), 'speed': WAY / seconds, 'rate': RATE},
@@ -91,15 +91,15 @@ def summary(milliseconds):
     return {'median': statistics.median(milliseconds), 'p99': percentile(milliseconds, 0.99)}
 
 
-def measure(cells, seconds):
-    states = states_of(cells, seconds)
+def measure(cells, time_step, seconds):
+    states = states_of(cells, time_step, seconds)
     if len(states) < 10:
         sys.exit(f'latency.py: only {len(states)} steps followed a pose in the tissue')
     newest = [1e3 * state.tools[0].latency for state in states]
     between = [1e3 * (b.header.stamp - a.header.stamp).to_sec() for a, b in zip(states, states[1:])]
     cutting = [b.step_ms for a, b in zip(states, states[1:]) if b.parts > a.parts]
     older = [latency + (k + 0.5) / SHARES * pause for latency, pause in zip(newest[1:], between) for k in range(SHARES)]
-    return {'elements': states[0].elements, 'crack_elements': states[-1].crack_elements, 'steps': len(states),
+    return {'elements': states[0].elements, 'time_step': time_step, 'crack_elements': states[-1].crack_elements, 'steps': len(states),
             'newest_ms': newest, 'any_ms': [percentile(older, k / 500) for k in range(501)],
             'newest': summary(newest), 'any': summary(older),
             'computing': summary([state.step_ms for state in states]),
@@ -130,18 +130,18 @@ def draw(rows, file):
 
 def print_table(rows):
     keys = ('newest', 'any', 'waiting', 'computing', 'cutting', 'between')
-    print('| elements | steps | newest pose: median, p99 ms | any pose | of the newest: waiting for the step '
-          '| computing | the same where an element is cut | from step to step |\n' + '|---' * 8 + '|')
+    print('| elements | Δt ms | steps | newest pose: median, p99 ms | any pose | of the newest: waiting for the step '
+          '| computing | the same where an element is cut | from step to step |\n' + '|---' * 9 + '|')
     for row in rows:
         cells = [f"{row[key]['median']:.2f}, {row[key]['p99']:.2f}" for key in keys]
-        print(f"| {row['elements']:,} | {row['steps']} | " + ' | '.join(cells) + ' |')
+        print(f"| {row['elements']:,} | {1e3 * row['time_step']:g} | {row['steps']} | " + ' | '.join(cells) + ' |')
 
 
 def main(seconds, data, plot):
     with ros_master.running() as environment:
         os.environ.update(environment)
         rospy.init_node('latency', disable_signals=True)
-        rows = [measure(cells, seconds) for cells in CELLS]
+        rows = [measure(cells, time_step, seconds) for cells, time_step in BODIES]
         rospy.signal_shutdown('done')
     pathlib.Path(data).write_text(json.dumps(rows, indent=1) + '\n', encoding='utf-8')
     draw(rows, plot)

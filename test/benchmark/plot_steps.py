@@ -1,11 +1,15 @@
 #!/usr/bin/python3
 """Plots what step_benchmark wrote, milliseconds a step against elements, and prints it as the tables of README.md beside it.
 
-usage: plot_steps.py STEPS.json PLOT.png
+The second plot has the steps round a cut.
+
+usage: plot_steps.py STEPS.json STEPS.png HITCH.png
 """
 
 import json
 import sys
+
+import numpy
 
 import matplotlib
 matplotlib.use('Agg')
@@ -27,20 +31,49 @@ def grid_rows(rows, program, young_modulus):
             if row['program'] == program and row['young_modulus'] == young_modulus]
 
 
+# Steps that plots of a cut begin before it, as the benchmark has them.
+HITCH_BEFORE = 5
+
+
+def slope(points):
+    """The power of the size with which the time grows, by least squares of the logarithms."""
+    sizes, times = numpy.log(numpy.array(points)).T
+    return numpy.polyfit(sizes, times, 1)[0]
+
+
 def plot(rows, path):
     plt.figure(figsize=(5.5, 4))
     plt.loglog(*zip(*PUBLISHED.items()), 'D', color='0.5', markersize=10, markerfacecolor='none',
                label='SOFA on another machine')
     for program, (label, color, marker) in STYLES.items():
         points = [(row['elements'], row['median_ms']) for row in grid_rows(rows, program, 1e6)]
-        if program == 'auto':
-            points += [(row['elements'], row['before']['median_ms']) for row in of_scene(rows, 'large')]
+        if program == 'auto' and of_scene(rows, 'sizes'):
+            points = sorted((row['elements'], row['median_ms']) for row in of_scene(rows, 'sizes'))
+            label += f', power {slope(points):.2f}'
         if points:
             plt.loglog(*zip(*points), marker + '-', color=color, label=label)
     plt.xlabel('elements')
     plt.ylabel('median step [ms]')
     plt.grid(True, which='both', alpha=0.3)
     plt.legend()
+    plt.tight_layout()
+    plt.savefig(path, dpi=100)
+
+
+def plot_hitch(rows, path):
+    """Each step over the median of those before the cut."""
+    plt.figure(figsize=(5.5, 3.4))
+    for row, style in zip(of_scene(rows, 'cuts'), ('o-', 'o--', 's-', 's--')):
+        times = [ms / row['before']['median_ms'] for ms in row['hitch']]
+        colour = 'C0' if style[0] == 'o' else 'C1'
+        name = row['name'].partition(',')[2]
+        plt.plot(range(-HITCH_BEFORE, len(times) - HITCH_BEFORE), times, style, color=colour, markersize=4,
+                 label=f"{row['elements']:,} elements" + (f',{name}' if name else ''))
+    plt.xlabel('steps after the one that cuts')
+    plt.ylabel('time over the median before')
+    plt.ylim(bottom=0)
+    plt.grid(True, alpha=0.3)
+    plt.legend(fontsize=8)
     plt.tight_layout()
     plt.savefig(path, dpi=100)
 
@@ -94,6 +127,13 @@ def cut_table(rows):
            'kB an element'], lines)
 
 
+def size_table(rows):
+    table(['cells', 'elements', 'median ms', 'ns an element', 'iterations', 'kB an element'],
+          [[row['name'].replace('x', '×'), str(row['elements']), milliseconds(row['median_ms']),
+            f"{row['ns_per_element']:.0f}", f"{row['iterations']:.0f}", f"{row['kb_per_element']:.2f}"]
+           for row in of_scene(rows, 'sizes')])
+
+
 def other_table(rows):
     table(['bar', 'median ms', '99 % ms'],
           [[f"{row['elements']} elements, {row['name']}", milliseconds(row['median_ms']), milliseconds(row['p99_ms'])]
@@ -101,11 +141,13 @@ def other_table(rows):
 
 
 if __name__ == '__main__':
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
     with open(sys.argv[1], encoding='utf-8') as file:
         measured = json.load(file)
     plot(measured, sys.argv[2])
+    plot_hitch(measured, sys.argv[3])
     step_table(measured)
+    size_table(measured)
     cut_table(measured)
     other_table(measured)

@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../launch/setup.sh"
 usage() {
   echo "usage: test/benchmark/run.sh [--quick] [--large]"
   echo "  --quick  a few minutes: fewer steps, no other programs at 98,304 elements, the plots stay in the build folder"
-  echo "  --large  also a million elements"
+  echo "  --large  also a million elements and more"
 }
 
 folder="$BUILD/benchmark"
@@ -27,7 +27,7 @@ compile "$folder" benchmarks
 
 "$folder/kernels_benchmark"
 "$folder/step_benchmark" "$@" --json "$folder/steps.json"
-"$ROOT/test/benchmark/plot_steps.py" "$folder/steps.json" "$pictures/step_times.png"
+"$ROOT/test/benchmark/plot_steps.py" "$folder/steps.json" "$pictures/step_times.png" "$pictures/cut_hitch.png"
 
 # The node's part.
 configure "$BUILD" -DCATKIN_ENABLE_TESTING=ON "-DINCISION_WERROR=${INCISION_WERROR:-OFF}"

@@ -15,8 +15,8 @@ constexpr const char* HELP =
 Times whole steps of several scenes and prints tables; times are in milliseconds.
 
   --quick        fewer steps, and at 98,304 elements only our own iterative solver
-  --large        also a million elements
-  --only SCENE   only these: tips, grids, threads, linear, cuts, contact, plate, organ or large
+  --large        also a million elements and more
+  --only SCENE   only these: tips, grids, sizes, threads, linear, cuts, contact, plate, organ or large
   --json FILE    also writes all rows, for plot_steps.py
   --help         this text
 
@@ -28,15 +28,16 @@ struct Group {
   bool (*run)(const Options&, Json*);
 };
 
-constexpr std::array<Group, 9> GROUPS = {{{"tips", tips},
-                                          {"grids", grids},
-                                          {"threads", threads},
-                                          {"linear", linear},
-                                          {"cuts", cuts},
-                                          {"contact", contact},
-                                          {"plate", plate},
-                                          {"organ", organ},
-                                          {"large", large}}};
+constexpr std::array<Group, 10> GROUPS = {{{"tips", tips},
+                                           {"grids", grids},
+                                           {"sizes", sizes},
+                                           {"threads", threads},
+                                           {"linear", linear},
+                                           {"cuts", cuts},
+                                           {"contact", contact},
+                                           {"plate", plate},
+                                           {"organ", organ},
+                                           {"large", large}}};
 
 bool wanted(const Options& options, const std::string& group) {
   if (!options.only.empty()) return options.only == group;

@@ -92,10 +92,10 @@ bool grids(const Options& options, Json* rows) {
 }
 
 bool threads(const Options& options, Json* rows) {
-  const Table table("Bar " + nameOf(BIG) + " on one, two and four threads", columns());
+  const Table table("Bar " + nameOf(BIG) + " on one to eight threads", columns());
   const StepCounts counts = options.quick ? StepCounts{5, 10} : StepCounts{20, 60};
   std::vector<Run> runs;
-  for (int count : {1, 2, 4}) {
+  for (int count : {1, 2, 4, 8}) {
     Scene scene = bar(BIG);
     scene.solver.threads = count;
     runs.push_back(ourRun(std::to_string(count) + (count > 1 ? " threads" : " thread"), scene, Method::AUTO, counts));
@@ -112,6 +112,23 @@ bool threads(const Options& options, Json* rows) {
             << " times as fast as one (at least 1.5 wanted); the states are " << (equal ? "equal" : "NOT EQUAL")
             << '\n';
   return equal;
+}
+
+bool sizes(const Options& options, Json* rows) {
+  const Table table("The bar in elements ever smaller", columns());
+  std::vector<Cells> sizes = {{14, 4, 3}, SMALL, {23, 6, 6}, MIDDLE, {46, 12, 12}, BIG};
+  if (!options.quick) sizes.push_back({93, 23, 23});
+  if (options.large) sizes.insert(sizes.end(), {HUGE_GRID, {200, 50, 50}});
+  for (const Cells& cells : sizes) {
+    const bool slow = cells[0] > BIG[0];
+    Json row = bestOfRounds({ourRun(nameOf(cells), bar(cells), Method::AUTO, slow ? StepCounts{5, 10} : full(options))},
+                            slow ? 1 : rounds(options))[0];
+    row["scene"] = "sizes";
+    row["ns_per_element"] = 1e6 * row["median_ms"].get<double>() / row["elements"].get<double>();
+    table.print(row);
+    rows->push_back(row);
+  }
+  return true;
 }
 
 bool linear(const Options& options, Json* rows) {
