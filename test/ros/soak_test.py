@@ -18,6 +18,7 @@ from sensor_msgs.msg import JointState
 
 MOST_ENERGY = 1.0  # [J] kinetic and elastic: the body's weight falls through some 6e-3
 MOST_GROWTH = 5  # [MiB] of the node's memory, in as much work as had been done before: what the heap leaves between
+MOST_PIECES = 20  # of rubble beyond that a step takes a second, and an hour has few actions
 NAMES = ('a', 'b', 'c')
 
 
@@ -119,10 +120,15 @@ class Soak(unittest.TestCase):
                                   self.restore, self.restore, self.garbage, self.garbage)
                                  if draw.random() > 0.02 else (self.reset,))
             action(draw)
+            if self.client.state.pieces > MOST_PIECES:
+                self.client.reset()
             state = self.client.state
             self.assertEqual('', state.error)
             self.assertLess(state.kinetic_energy + state.elastic_energy, MOST_ENERGY, f'after {len(hashes)} actions')
             hashes.append((action.__name__, state.step, state.state_hash))
+            if len(hashes) % 100 == 0:
+                rospy.loginfo('%d actions; %.1f MiB; %.3g J', len(hashes), memory_of(self.pid),
+                              state.kinetic_energy + state.elastic_energy)
             for client in (self.scalpel, self.forceps):
                 for kept in (client.states, client.reports, client.wrenches, client.jaws):
                     del kept[:-5]
