@@ -95,10 +95,10 @@ bool CheckpointServer::onSteppingThread(const std::function<void()>& task, Servi
 }
 
 bool CheckpointServer::saveService(Service::Request& request, Service::Response& response) {
-  SavedState state;
-  if (!onSteppingThread([&] { state = doors_.save(); }, &response)) return false;
-  if (!std::exchange(response.success, false)) return true;
   try {
+    SavedState state;
+    if (!onSteppingThread([&] { state = doors_.save(); }, &response)) return false;
+    if (!std::exchange(response.success, false)) return true;
     const std::vector<std::string> gone = checkpoints_.save(request.name, state);
     response.success = true;  // also where there is no memory left to say more
     response.message = "saved at step " + std::to_string(response.step);
