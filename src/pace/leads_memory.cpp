@@ -21,6 +21,7 @@ std::vector<bool> LeadsMemory::active() const {
 
 std::string toBytes(const LeadsMemory& memory) {
   std::ostringstream out;
+  out.exceptions(std::ostream::badbit);  // where memory runs out too, which the stream would keep to itself
   ArchiveWriter archive(out);
   archive(memory);
   return out.str();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "incision/base/why.h"
 #include "incision/base/yaml_reader.h"
 
 namespace incision {
@@ -66,7 +67,7 @@ void CheckpointServer::offer(SteadyTime now, std::uint64_t version) {
     saving_ = std::async(std::launch::async, [this, state = doors_.save()] { return autosave(state); });
     saved_ = at;
   } catch (const std::exception& error) {  // of memory, or of threads
-    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "could not be saved: " << error.what());
+    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "could not be saved: " << whyOf(error));
   }
 }
 
@@ -76,7 +77,7 @@ std::optional<std::chrono::nanoseconds> CheckpointServer::autosave(const SavedSt
     checkpoints_.autosave(state);
     return now() - start;
   } catch (const std::exception& error) {  // of the disk, or of memory
-    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "could not be saved, and is tried again: " << error.what());
+    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "could not be saved, and is tried again: " << whyOf(error));
     return std::nullopt;
   }
 }
@@ -88,22 +89,22 @@ bool CheckpointServer::onSteppingThread(const std::function<void()>& task, Servi
       response->step = doors_.step();
       response->success = true;
     } catch (const std::exception& error) {
-      response->message = error.what();
+      response->message = whyOf(error);
     }
   });
 }
 
 bool CheckpointServer::saveService(Service::Request& request, Service::Response& response) {
-  SavedState state;
-  if (!onSteppingThread([&] { state = doors_.save(); }, &response)) return false;
-  if (!response.success) return true;
   try {
+    SavedState state;
+    if (!onSteppingThread([&] { state = doors_.save(); }, &response)) return false;
+    if (!std::exchange(response.success, false)) return true;
     const std::vector<std::string> gone = checkpoints_.save(request.name, state);
+    response.success = true;  // also where there is no memory left to say more
     response.message = "saved at step " + std::to_string(response.step);
     if (!gone.empty()) response.message += "; no longer in memory: " + joined(gone);
   } catch (const std::exception& error) {
-    response.success = false;
-    response.message = error.what();
+    if (!response.success) response.message = whyOf(error);
   }
   return true;
 }
@@ -114,7 +115,7 @@ bool CheckpointServer::restoreService(Service::Request& request, Service::Respon
     if (!onSteppingThread([&] { doors_.restore(state); }, &response)) return false;
     if (response.success) response.message = "at step " + std::to_string(response.step);
   } catch (const std::exception& error) {
-    response.message = error.what();
+    response.message = whyOf(error);
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #include "incision/run/checkpoints.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -9,6 +10,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -48,17 +51,30 @@ fs::file_time_type written(const fs::path& path) {
   return error ? fs::file_time_type::min() : time;
 }
 
+[[noreturn]] void failAt(const std::string& folder, const std::string& why) {
+  throw InputError("the folder of checkpoints " + printable(folder) + ": " + why);
+}
+
+/// Names of what is in a folder. Not by std::filesystem, which ends the process where it finds no memory for that.
+std::vector<std::string> filesOf(const std::string& folder) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> all(opendir(folder.c_str()), &closedir);
+  if (!all && errno == ENOMEM) throw std::bad_alloc();
+  if (!all) failAt(folder, std::strerror(errno));
+  std::vector<std::string> names;
+  while (const dirent* entry = readdir(all.get())) names.emplace_back(entry->d_name);
+  return names;
+}
+
 /// Takes the folder for this process, until the file returned is closed or the process ends in whatever way.
 int lockFolder(const std::string& folder) {
-  const std::string name = "the folder of checkpoints " + printable(folder) + ": ";
   std::error_code error;
   fs::create_directory(folder, error);
   const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) throw InputError(name + std::strerror(errno));
+  if (file < 0) failAt(folder, std::strerror(errno));
   if (flock(file, LOCK_EX | LOCK_NB) == 0 && access(folder.c_str(), W_OK) == 0) return file;
   const int why = errno;
   close(file);
-  throw InputError(name + (why == EWOULDBLOCK ? "another node has it (allowed: one for each)" : std::strerror(why)));
+  failAt(folder, why == EWOULDBLOCK ? "another node has it (allowed: one for each)" : std::strerror(why));
 }
 
 }  // namespace
@@ -81,30 +97,35 @@ std::shared_ptr<const std::string> Checkpoints::inMemory(const std::string& name
   return nullptr;
 }
 
-std::vector<std::string> Checkpoints::keepInMemory(Kept kept) {
+/// Moves one there, of which nothing fails, and names what has to leave for it. `gone` has room for all names.
+void Checkpoints::keepInMemory(std::list<Kept>* kept, std::vector<std::string>* gone) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  kept_.remove_if([&](const Kept& other) { return other.name == kept.name; });
-  kept_.push_back(std::move(kept));
+  kept_.remove_if([&](const Kept& other) { return other.name == kept->front().name; });
+  kept_.splice(kept_.end(), *kept);
   std::size_t size = 0;
   for (const Kept& other : kept_) size += other.bytes->size();
-  std::vector<std::string> gone;
   for (; size > most_memory_; kept_.pop_front()) {
     size -= kept_.front().bytes->size();
-    gone.push_back(kept_.front().name);
+    gone->push_back(std::move(kept_.front().name));
   }
-  return gone;
 }
 
 std::vector<std::string> Checkpoints::save(const std::string& name, const SavedState& state) {
   checkName(name);
   if (name == LAST_CHECKPOINT || std::count(AUTOSAVES.begin(), AUTOSAVES.end(), name) > 0)
     throw InputError("a name that is taken: '" + name + "' (allowed: another)");
-  auto bytes = std::make_shared<const std::string>(packed(state, key_, threads_));
+  const auto bytes = std::make_shared<const std::string>(packed(state, key_, threads_));
   if (bytes->size() > most_memory_ && !inFolder())
     throw InputError("the state takes " + std::to_string(bytes->size()) + " bytes (allowed: up to " +
                      std::to_string(most_memory_) + " in memory; give a checkpoint_folder)");
+  // What takes memory comes first, so that all is done where the file is.
+  const std::lock_guard<std::mutex> saving(saving_);
+  std::vector<std::string> gone;
+  gone.reserve(kept_.size() + 1);
+  std::list<Kept> kept = {{name, bytes}};
   if (inFolder()) StateFile(pathOf(name)).save(*bytes);
-  return keepInMemory({name, std::move(bytes)});
+  keepInMemory(&kept, &gone);
+  return gone;
 }
 
 SavedState Checkpoints::find(const std::string& name) const {
@@ -127,9 +148,8 @@ void Checkpoints::autosave(const SavedState& state) const {
 /// Names of the folder's, the newest first.
 std::vector<std::string> Checkpoints::filesByAge() const {
   std::vector<std::pair<fs::file_time_type, std::string>> files;
-  std::error_code error;
-  for (fs::directory_iterator it(folder_, error), end; it != end && !error; it.increment(error)) {
-    const fs::path path = it->path();
+  for (const std::string& file : filesOf(folder_)) {
+    const fs::path path = fs::path(folder_) / file;
     if (path.extension() == EXTENSION && isAllowed(path.stem())) files.emplace_back(written(path), path.stem());
   }
   std::sort(files.rbegin(), files.rend());

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "incision/base/printable.h"
+#include "incision/base/why.h"
 #include "incision/run/output_file.h"
 #include "incision/run/snapshot.h"
 
@@ -66,7 +67,7 @@ bool RunOutputs::save(const DeformableBody& body, const std::string& leads, cons
     state_->save(packed(state, key, body.scene().solver.threads));
     return true;
   } catch (const std::exception& error) {  // of the disk, or of memory
-    err << program << ": " << printable(options_.save) << ": could not be written: " << error.what() << std::endl;
+    err << program << ": " << printable(options_.save) << ": could not be written: " << whyOf(error) << std::endl;
     return false;
   }
 }

@@ -2,12 +2,13 @@
 
 #include <xxhash.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <new>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 #include <streambuf>
 #include <vector>
@@ -72,6 +73,14 @@ class StringBuffer : public std::streambuf {
     return byte;
   }
 };
+
+/// Memory that is used up would cut the text short in silence if the stream did not throw.
+template <typename Write>
+void writeTo(StringBuffer* buffer, const Write& write) {
+  std::ostream out(buffer);
+  out.exceptions(std::ostream::badbit);
+  write(out);
+}
 
 /// What comes before the header.
 struct Start {
@@ -138,8 +147,11 @@ std::string packedSection(std::string_view bytes) {
 
 bool unpackSection(const StateSection& section, const std::string& stored, char* to) {
   if (XXH3_64bits(stored.data(), stored.size()) != section.hash) return false;
-  if (section.stored < section.length)
-    return ZSTD_decompress(to, section.length, stored.data(), stored.size()) == section.length;
+  if (section.stored < section.length) {
+    const std::size_t size = ZSTD_decompress(to, section.length, stored.data(), stored.size());
+    if (ZSTD_getErrorCode(size) == ZSTD_error_memory_allocation) throw std::bad_alloc();  // not a fault of the file
+    return size == section.length;
+  }
   std::memcpy(to, stored.data(), stored.size());
   return true;
 }
@@ -148,9 +160,7 @@ bool unpackSection(const StateSection& section, const std::string& stored, char*
 
 SavedState savedState(const DeformableBody& body) {
   StringBuffer buffer;
-  std::ostream out(&buffer);
-  out.exceptions(std::ostream::badbit);  // or memory that is used up would cut the text short in silence
-  body.save(out);
+  writeTo(&buffer, [&](std::ostream& out) { body.save(out); });
   return {std::move(buffer.text), {}};
 }
 
@@ -170,10 +180,12 @@ std::string packed(const SavedState& state, const SceneKey& key, int threads) {
     header.sections[i] = {static_cast<std::uint32_t>(pieces[i].size()), static_cast<std::uint32_t>(sections[i].size()),
                           XXH3_64bits(sections[i].data(), sections[i].size())};
   });
-  std::ostringstream stream;
-  ArchiveWriter archive(stream);
-  archive(header);
-  const std::string said = stream.str();
+  StringBuffer buffer;
+  writeTo(&buffer, [&](std::ostream& out) {
+    ArchiveWriter archive(out);
+    archive(header);
+  });
+  const std::string& said = buffer.text;
   Start start;
   start.length = static_cast<std::uint32_t>(said.size());
   start.hash = hashOf(start, said);

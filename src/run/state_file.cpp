@@ -8,7 +8,6 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -22,33 +21,47 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void failWith(int error) { throw std::system_error(error, std::generic_category()); }
 
-std::string besides(const std::string& path) { return path + ".tmp"; }
+/// An open file, if it is not negative.
+struct Descriptor {
+  explicit Descriptor(int opened) : file(opened) {}
+  ~Descriptor() {
+    if (file >= 0) close(file);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
 
-/// What has been renamed in a folder stays so when the power fails.
-void syncFolder(const std::string& path) {
+  const int file;
+};
+
+/// From a file.
+void readNext(int file, char* to, std::size_t count) {
+  for (std::size_t done = 0; done < count;) {
+    const ssize_t more = ::read(file, to + done, count - done);
+    if (more == 0 || (more < 0 && errno != EINTR)) throw InputError("cannot be read to its end");
+    if (more > 0) done += static_cast<std::size_t>(more);
+  }
+}
+
+std::string folderOf(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
-  const int file = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) failWith(errno);
-  const int error = fsync(file) == 0 ? 0 : errno;
-  close(file);
-  if (error != 0 && error != EINVAL) failWith(error);  // EINVAL: a file system that cannot
+  return folder.empty() ? "." : folder.string();
 }
 
 }  // namespace
 
-StateFile::StateFile(const std::string& path) : path_(path) {
+StateFile::StateFile(const std::string& path) : path_(path), unfinished_(path + ".tmp"), folder_(folderOf(path)) {
   std::error_code unknown;
   const fs::file_status at = fs::status(path, unknown);
   if (fs::exists(at) && !fs::is_regular_file(at))
     throw InputError(printable(path) + ": cannot be written: not a file (allowed: a file, or a new one in a folder)");
-  file_ = open(besides(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  file_ = open(unfinished_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file_ < 0) throw InputError(printable(path) + ": cannot be written: " + std::strerror(errno));
 }
 
 StateFile::~StateFile() {
   if (file_ < 0) return;
   close(file_);
-  unlink(besides(path_).c_str());
+  unlink(unfinished_.c_str());
 }
 
 void StateFile::write(const std::string& bytes) const {
@@ -60,6 +73,8 @@ void StateFile::write(const std::string& bytes) const {
 }
 
 void StateFile::save(const std::string& bytes) {
+  const Descriptor folder(open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.file < 0) failWith(errno);
   write(bytes);
   // Or it would be written at the kernel's last tick, and perhaps no later than the file saved before.
   timespec now[2];
@@ -67,9 +82,10 @@ void StateFile::save(const std::string& bytes) {
   now[1] = now[0];
   futimens(file_, now);
   if (fsync(file_) != 0) failWith(errno);
-  if (std::rename(besides(path_).c_str(), path_.c_str()) != 0) failWith(errno);
+  if (std::rename(unfinished_.c_str(), path_.c_str()) != 0) failWith(errno);
   close(std::exchange(file_, -1));
-  syncFolder(path_);
+  // What has been renamed stays so when the power fails. EINVAL: a file system that cannot do that.
+  if (fsync(folder.file) != 0 && errno != EINVAL) failWith(errno);
 }
 
 SavedState readState(const std::string& path, const SceneKey& key, int threads) {
@@ -78,11 +94,9 @@ SavedState readState(const std::string& path, const SceneKey& key, int threads) 
   if (!fs::exists(path, error)) throw InputError(name + ": cannot be opened: no such file");
   if (!fs::is_regular_file(path, error)) throw InputError(name + ": not a file (allowed: that of a saved body)");
   const auto size = static_cast<std::size_t>(fs::file_size(path, error));
-  std::ifstream file(path, std::ios::binary);
-  if (error || !file) throw InputError(name + ": cannot be opened: " + std::strerror(errno));
-  const auto read = [&](char* to, std::size_t count) {
-    if (!file.read(to, static_cast<std::streamsize>(count))) throw InputError("cannot be read to its end");
-  };
+  const Descriptor from(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (error || from.file < 0) throw InputError(name + ": cannot be opened: " + std::strerror(errno));
+  const auto read = [&](char* to, std::size_t count) { readNext(from.file, to, count); };
   try {
     return unpacked(read, size, key, threads);
   } catch (const InputError& wrong) {

@@ -221,11 +221,11 @@ bool ImplicitStep::takeChange(const Motion& start) {
   balanceMomentum(true, &dv_);
   rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
   const SolveStats& stats = newton_.stats();
-  return demand_ == StepDemand::ANY || ((stats.settled || stats.cut_short) && !turnsTooFar());
+  return (demand_ != StepDemand::SOUND || stats.settled || stats.cut_short) && !turnsTooFar();
 }
 
 /// Whether that is not what is demanded.
-bool ImplicitStep::turnsTooFar() const { return demand_ == StepDemand::SOUND && rigid_.farthestTurn() > FAR_TURN; }
+bool ImplicitStep::turnsTooFar() const { return demand_ != StepDemand::ANY && rigid_.farthestTurn() > FAR_TURN; }
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
 void ImplicitStep::giveUp() {

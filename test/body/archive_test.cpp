@@ -252,7 +252,7 @@ TEST_P(FailedAndSaved, StepsLeaveNoTraceInTheBytes) {
     const std::string before = bytesOf(failing.body);
     failing.failOnce(ALL);
     EXPECT_TRUE(bytesOf(failing.body) == before) << k;
-    failing.failOnce(afterAnEighth());
+    failing.failOnce(afterAPart());
     EXPECT_TRUE(bytesOf(failing.body) == before) << k;
     failing.body.step();
     twin.body.step();

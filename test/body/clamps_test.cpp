@@ -219,7 +219,7 @@ TEST(PosedClamps, OfAStepThatFailsHaveTheirWayStillBeforeThem) {
     each->body.step();
     each->body.moveClamp(0, turningFrame(0.04));
   }
-  failing.failOnce(afterAnEighth());
+  failing.failOnce(afterAPart());
   for (Fallible* each : {&failing, &twin}) each->body.step();
   EXPECT_EQ(failing.body.stateHash(), twin.body.stateHash());
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "incision/body/deformable_body.h"
+#include "incision/solver/step_in_parts.h"
 
 namespace incision::test {
 
@@ -36,8 +37,8 @@ class FailingSolver : public LinearSolver {
   }
   void keep(SolverMemory* memory) const override { solver_->keep(memory); }
   void recall(const SolverMemory& memory) override { solver_->recall(memory); }
-  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis, std::vector<Vec3>* d,
-              std::vector<Vec3>* left) override {
+  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
+              std::vector<Vec3>* d, std::vector<Vec3>* left) override {
     const int iterations = solver_->correct(r, limit, most, basis, d, left);
     if (failures_->solves.count(failures_->count++) == 0) return iterations;
     for (Vec3& value : *d) value.setConstant(std::nan(""));
@@ -50,14 +51,23 @@ class FailingSolver : public LinearSolver {
   Failures* failures_;
 };
 
-/// The solves of a step that fails: in the whole of it, where a direct one follows the first, and then likewise in its
-/// first half, quarter and eighth.
-inline const std::set<int> ALL = {0, 1, 2, 3, 4, 5, 6, 7};
+/// Tries of a step that fails: the whole of it, its first half, quarter and so on.
+inline constexpr int TRIES = MAX_HALVINGS + 1;
 
-/// Those of a step that fails after its first eighth has been tried with two solves that do not.
-inline std::set<int> afterAnEighth() {
-  std::set<int> solves = {0, 1, 2, 3, 4, 5};
-  for (int k = 8; k < 100; ++k) solves.insert(k);
+/// Solves from one to before another.
+inline std::set<int> solvesBetween(int first, int last) {
+  std::set<int> solves;
+  for (int k = first; k < last; ++k) solves.insert(k);
+  return solves;
+}
+
+/// The solves of a step that fails: in each try one, where a direct one follows.
+inline const std::set<int> ALL = solvesBetween(0, 2 * TRIES);
+
+/// Those of a step that fails after its first and shortest part has been tried with two solves that do not.
+inline std::set<int> afterAPart() {
+  std::set<int> solves = solvesBetween(0, 2 * TRIES - 2);
+  solves.merge(solvesBetween(2 * TRIES, 100));
   return solves;
 }
 

@@ -3,20 +3,13 @@
 #include <ros/node_handle.h>
 
 #include <atomic>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <utility>
 #include <vector>
 
-#include "incision/body/deformable_body.h"
-#include "incision/body/stress_view.h"
 #include "incision/pace/wakeup.h"
-#include "incision/ros/body_markers.h"
-#include "incision/ros/contacts_message.h"
-#include "incision/ros/force_scale.h"
-#include "incision/ros/markers.h"
+#include "incision/ros/display.h"
 #include "incision/ros/parameters.h"
 
 namespace incision {
@@ -45,64 +38,23 @@ class MarkerPublisher {
   std::vector<RegionStress> regionStress() const;
 
  private:
-  /// What stays as long as the topology does.
-  struct Topology {
-    explicit Topology(const DeformableBody& body);
-    const Surface surface;
-    const std::vector<int> held;  // copies
-    std::vector<int> regions;     // of each triangle
-    std::vector<Vec3> rest;       // where the vertices are then [m]; none of a surface that is not rounded
-    /// A copy of the mesh, made only for those who want stress: it is the largest thing here.
-    std::shared_ptr<const CutMesh> mesh;
-  };
-  /// What somebody listens to, and nothing else.
-  struct Snapshot {
-    std::shared_ptr<Topology> topology;
-    std::vector<Vec3> positions, loads;
-    bool wants_markers = false, wants_cloud = false, wants_stress = false;
-    MarkerField field = MarkerField::NONE;
-    std::optional<BodyWrenches> wrenches;
-    std::int64_t step = 0;  ///< after which it is
-    std::optional<std::vector<Pose>> links;
-    std::optional<std::vector<ToolView>> tools;
-
-    bool needsStress() const { return wants_stress || wants_cloud || (wants_markers && field == MarkerField::STRESS); }
-    bool empty() const { return !topology && !wrenches && !links && !tools; }
-  };
   void start();
-  void addBody(const DeformableBody& body, Snapshot* snapshot);
-  std::vector<ToolView> toolViews(const DeformableBody& body, const StepResult& last_step) const;
-  void publish(const Snapshot& snapshot);
-  const Rounding* roundingOf(const std::shared_ptr<Topology>& topology);
-  std::vector<double> findStress(const Snapshot& snapshot);
-  void publishContacts(const Snapshot& snapshot, const ros::Time& stamp);
-  void publishTools(const Snapshot& snapshot, const ros::Time& stamp);
-  void publishBody(const Snapshot& snapshot, const ros::Time& stamp);
+  DisplayWishes wishes() const;
+  void publish(const DisplaySnapshot& snapshot);
   void run();
-  std::optional<Snapshot> take();
+  std::optional<DisplaySnapshot> take();
 
-  const BodySettings body_settings_;
-  const std::string& frame_ = body_settings_.frame;
-  const Materials materials_;
-  const Obstacles obstacles_;
-  const ContactNames contact_names_;
-  const double body_size_, time_step_;  // [m], [s]
-  std::vector<ToolForm> tool_forms_;
   ros::NodeHandle node_;
   MarkerField field_ = MarkerField::NONE;
   std::chrono::nanoseconds period_{};
   ros::Publisher body_publisher_, cloud_publisher_, contact_publisher_, obstacle_publisher_, tool_publisher_;
   SteadyTime next_ = SteadyTime::max();
-  std::shared_ptr<Topology> topology_;
-  std::uint64_t topology_version_ = 0;
+  DisplaySource source_;
 
   mutable std::mutex mutex_;
-  std::optional<Snapshot> latest_;
+  std::optional<DisplaySnapshot> latest_;
   std::vector<RegionStress> region_stress_;
-  std::unique_ptr<StressView> stress_;  // this and all to the force's scale are the thread's own
-  std::shared_ptr<Topology> rounded_;   // of which is
-  std::unique_ptr<Rounding> rounding_;
-  ForceScale force_scale_;
+  DisplayBuilder builder_;  // the thread's own
   std::atomic<bool> stopping_ = false;
   Wakeup wakeup_;
   std::thread thread_;

@@ -37,7 +37,7 @@ class Checkpoints {
 
   /// Keeps the state, in place of one of the same name. Returns the names of the oldest ones that had to leave the
   /// memory for it. Throws InputError for a name that is not allowed and where the memory does not hold the state, and
-  /// std::system_error where the disk does not take it: then what was there before is unchanged.
+  /// std::system_error where the disk does not take it, and std::bad_alloc: then what was there before is unchanged.
   std::vector<std::string> save(const std::string& name, const SavedState& state);
 
   /// Throws InputError for a name that is not allowed, is not there, or whose file cannot be used. The name `last`
@@ -64,7 +64,7 @@ class Checkpoints {
   };
   std::string pathOf(const std::string& name) const;
   std::shared_ptr<const std::string> inMemory(const std::string& name) const;
-  std::vector<std::string> keepInMemory(Kept kept);
+  void keepInMemory(std::list<Kept>* kept, std::vector<std::string>* gone);
   std::string known() const;
   std::vector<std::string> filesByAge() const;
 
@@ -72,7 +72,8 @@ class Checkpoints {
   const SceneKey key_;
   const int threads_;
   const std::size_t most_memory_;
-  int lock_ = -1;  // on the folder
+  int lock_ = -1;      // on the folder
+  std::mutex saving_;  // only who has it changes what is kept
   mutable std::mutex mutex_;
   std::list<Kept> kept_;  // the oldest first
 };

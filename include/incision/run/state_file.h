@@ -24,7 +24,8 @@ class StateFile {
  private:
   void write(const std::string& bytes) const;
 
-  std::string path_;
+  // All that is needed to save or to give up: neither may find no memory.
+  const std::string path_, unfinished_, folder_;
   int file_ = -1;
 };
 

@@ -35,8 +35,9 @@ struct StepTimes {
 
 /// How a step may be taken.
 enum class StepDemand {
-  ANY,    ///< as well as it goes
-  SOUND,  ///< only where it settles, and where no piece that couplers act on turns far
+  ANY,          ///< as well as it goes
+  SHORT_TURNS,  ///< only where no piece that couplers act on turns far
+  SOUND,        ///< only where it settles, too
 };
 
 /// One linearly implicit step at a time, from the base x̂, v̂, u that the rigid motion of free pieces leaves:
