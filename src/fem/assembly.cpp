@@ -98,29 +98,33 @@ void Assembly::sumCorners(int c) {
   }
 }
 
-/// Calls f(p, F_p, R_p) for every part, with the gradient and the rotation that belong to `x`.
+/// Calls f(p, F_p, R_p) for every part of a group of LANES, with the gradient and the rotation that belong to `x`.
+template <typename Function>
+void Assembly::turnGroup(int group, const std::vector<Vec3>& x, const Function& f) const {
+  const int parts = static_cast<int>(rotations_.size()), first = LANES * group;
+  std::array<Mat3, LANES> F, R;
+  for (int l = 0; l < LANES; ++l) {
+    const int p = std::min(first + l, parts - 1);  // the last one fills up its group
+    F[l] = gradientOf(p, x);
+    R[l] = rotations_[p];
+  }
+  if (warping_) polarRotations(F.data(), R.data());
+  for (int p = first; p < std::min(first + LANES, parts); ++p) f(p, F[p - first], R[p - first]);
+}
+
 template <typename Function>
 void Assembly::turnAll(const std::vector<Vec3>& x, const Function& f) const {
-  const int parts = static_cast<int>(rotations_.size());
-  parallelFor((parts + LANES - 1) / LANES, threads_, [&](int group) {
-    const int first = LANES * group;
-    std::array<Mat3, LANES> F, R;
-    for (int l = 0; l < LANES; ++l) {
-      const int p = std::min(first + l, parts - 1);  // the last one fills up its group
-      F[l] = gradientOf(p, x);
-      R[l] = rotations_[p];
-    }
-    if (warping_) polarRotations(F.data(), R.data());
-    for (int p = first; p < std::min(first + LANES, parts); ++p) f(p, F[p - first], R[p - first]);
-  });
+  parallelFor(groups(), threads_, [&](int group) { turnGroup(group, x, f); });
 }
 
 void Assembly::rotate(const std::vector<Vec3>& x) {
   if (!warping_) return;
-  if (found_at_ != x || found_rotations_.size() != rotations_.size()) {
-    found_rotations_.resize(rotations_.size());
-    turnAll(x, [&](int p, const Mat3&, const Mat3& R) { found_rotations_[p] = R; });
-  }
+  const bool any_found = found_at_ == x && found_rotations_.size() == rotations_.size();
+  found_rotations_.resize(rotations_.size());
+  parallelFor(groups(), threads_, [&](int group) {
+    if (any_found && found_[group]) return;
+    turnGroup(group, x, [&](int p, const Mat3&, const Mat3& R) { found_rotations_[p] = R; });
+  });
   rotations_.swap(found_rotations_);
   rotated_ = true;
   found_at_.clear();
@@ -290,14 +294,36 @@ Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
 }
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
+  stressesOfGroups(
+      x, [](int) { return true; }, stress);
+}
+
+// The mean dilatations need those of all parts.
+void Assembly::stresses(const std::vector<Vec3>& x, const std::vector<char>& wanted, std::vector<Mat3>* stress) const {
+  if (patches_) return stresses(x, stress);
+  const auto isWanted = [&](int group) {
+    const int first = LANES * group, end = std::min(first + LANES, static_cast<int>(wanted.size()));
+    return std::find(wanted.begin() + first, wanted.begin() + end, 1) != wanted.begin() + end;
+  };
+  stressesOfGroups(x, isWanted, stress);
+}
+
+/// A group is turned as a whole, since the rotations it finds differ in last digits with what is found together.
+template <typename Wanted>
+void Assembly::stressesOfGroups(const std::vector<Vec3>& x, const Wanted& isWanted, std::vector<Mat3>* stress) const {
   stress->resize(rotations_.size());
   found_rotations_.resize(rotations_.size());
   found_at_ = x;
-  turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
-    found_rotations_[p] = R;
-    const Mat3 RtF = R.transpose() * F;
-    const Lame& lame = lameOf(p);
-    (*stress)[p] = R * (patches_ ? corotatedStress(RtF, 0, lame) : corotatedStress(RtF, lame)) * R.transpose();
+  found_.resize(groups());
+  parallelFor(groups(), threads_, [&](int group) {
+    found_[group] = isWanted(group);
+    if (!found_[group]) return;
+    turnGroup(group, x, [&](int p, const Mat3& F, const Mat3& R) {
+      found_rotations_[p] = R;
+      const Mat3 RtF = R.transpose() * F;
+      const Lame& lame = lameOf(p);
+      (*stress)[p] = R * (patches_ ? corotatedStress(RtF, 0, lame) : corotatedStress(RtF, lame)) * R.transpose();
+    });
   });
   if (!patches_) return;
   averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return found_rotations_[p]; });

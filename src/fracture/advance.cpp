@@ -41,13 +41,20 @@ struct CrackGrowth::PieceLoad {
   bool advances = false;
 };
 
-/// Returns the largest share of the strength in any part that does not wait.
-double CrackGrowth::load(const Assembly& assembly, const std::vector<Vec3>& x) {
-  stress_.update(assembly, x);
+/// Finds the loading of the parts that may be beyond their strength, and of those that fringes are about to enter; of
+/// the others it is known to be no more than they bear. Returns the largest share of the strength in any part that does
+/// not wait.
+double CrackGrowth::load(const Assembly& assembly, const std::vector<Vec3>& x, bool any_runs) {
+  const bool any = stress_.findSuspects(assembly, x, strengths_, &looked_at_);
+  if (!any && !any_runs) return 0;
+  if (!any) looked_at_.assign(looked_at_.size(), 0);
+  for (const Fringe& fringe : fringes_) looked_at_[fringe.ahead] = 1;
+  stress_.update(assembly, x, looked_at_);
   const Regions& regions = assembly.materials().regions();
   parallelFor(static_cast<int>(loading_.size()), assembly.threads(), [&](int p) {
     const Strength& strength = strengths_[regions.of(assembly.mesh().parts()[p].element)];
-    loading_[p] = waits(assembly.mesh(), p) ? Loading() : rankine(stress_.smoothed()[p], strength);
+    const bool counts = looked_at_[p] != 0 && !waits(assembly.mesh(), p);
+    loading_[p] = counts ? rankine(stress_.smoothed()[p], strength) : Loading();
   });
   double largest = 0;
   for (const Loading& loading : loading_) largest = std::max(largest, loading.share);
@@ -79,10 +86,9 @@ double CrackGrowth::arrival(const Fringe& fringe, double time, const CutMesh& me
 std::vector<CrackAdvance> CrackGrowth::advances(double time, double time_step, const Assembly& assembly,
                                                 const std::vector<Vec3>& x, const std::vector<int>& piece) {
   const CutMesh& mesh = assembly.mesh();
-  const bool loaded = load(assembly, x) > 1;
   if (fuses()) findTargets(mesh, x, piece);
-  if (!loaded && std::none_of(targets_.begin(), targets_.end(), [](const Target& target) { return target.runs; }))
-    return {};
+  const bool any_runs = std::any_of(targets_.begin(), targets_.end(), [](const Target& target) { return target.runs; });
+  if (!(load(assembly, x, any_runs) > 1) && !any_runs) return {};
 
   findBeside(mesh);
   std::vector<PieceLoad> pieces = mostLoaded(mesh, piece);

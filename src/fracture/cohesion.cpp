@@ -52,18 +52,19 @@ void Cohesion::changed(const CutMesh& mesh) {
   memory_.bonds.erase(std::remove_if(memory_.bonds.begin(), memory_.bonds.end(), torn), memory_.bonds.end());
 }
 
-/// Below δ_0 = σ_t / κ the traction is κ δ; beyond, σ_t (δ_c − δ) / (δ_c − δ_0). The triangle's area is σ_t δ_c / 2 = G
-/// whatever κ is. A section that has been open by δ keeps to the line from zero to the traction there.
-double Cohesion::slope(const Bond& bond, double opening) const {
+/// The traction where a section has just opened to its widest. Below δ_0 = σ_t / κ it is κ δ; beyond, σ_t (δ_c − δ) /
+/// (δ_c − δ_0). The triangle's area is σ_t δ_c / 2 = G whatever κ is. A section that has been open by δ keeps to the
+/// line from zero to the traction there.
+double Cohesion::traction(const Bond& bond, double opening) const {
   const Law& law = lawOf(bond);
   const double rise = law.strength / bond.steepest, last = law.last_opening;
-  const double opened = std::max(bond.opened, opening);
-  if (opened <= rise) return bond.steepest;
-  return opened < last ? law.strength * (last - opened) / ((last - rise) * opened) : 0;
+  const double opened = std::max({bond.opened, opening, rise});
+  return opened < last ? law.strength * (last - opened) / (last - rise) : 0;
 }
 
 bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
   stretches_.resize(memory_.bonds.size());
+  bool any_parted = false;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     const Section& section = memory_.bonds[i].section;
     const Part &plus = start.mesh.parts()[section.plus], &minus = start.mesh.parts()[section.minus];
@@ -72,34 +73,46 @@ bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
     for (int I = 0; I < 4; ++I) stretch.bonded.add(plus.copies[I], section.point[I]);
     for (int I = 0; I < 4; ++I) stretch.bonded.add(minus.copies[I], -section.point[I]);
     stretch.parted = plus.copies != minus.copies;
+    any_parted = any_parted || stretch.parted;
     stretch.start = weightedSum(stretch.bonded, start.motion.x);
     const Polytope& polytope = start.mesh.polytope(section.plus);
     const auto placed = [&](const Barycentric& b) { return at(plus, b, start.motion.x); };
     stretch.normal = -vectorArea(polytope, *facetOf(polytope, section.crack), placed).stableNormalized();
-    stretch.slope = slope(memory_.bonds[i], 0);
+    const Bond& bond = memory_.bonds[i];
+    stretch.limit = traction(bond, 0);
+    stretch.slope = stretch.limit / std::max(bond.opened, lawOf(bond).strength / bond.steepest);
     springs->push_back(stretch.bonded);
   }
-  return !stretches_.empty();
+  return any_parted;
 }
 
-/// The traction falls as a section opens, so that has no convex potential: the slope goes from one bound to the next.
+/// A traction that falls as a section opens has no convex potential; one that rises to a limit and stays there has. So
+/// the limit is a bound: the traction where the section has come to. It goes wrong by no more than the tissue beside
+/// the section would be stretched by what the traction has still to fall.
 void Cohesion::takeBounds(Span<const Vec3> moved, double share) {
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     Stretch& stretch = stretches_[i];
     const Vec3 y = stretch.start + moved[static_cast<int>(i)], &n = stretch.normal;
-    stretch.slope += share * (slope(memory_.bonds[i], (y - std::min(0.0, n.dot(y)) * n).norm()) - stretch.slope);
+    stretch.limit += share * (traction(memory_.bonds[i], (y - std::min(0.0, n.dot(y)) * n).norm()) - stretch.limit);
   }
 }
 
+/// Opening follows the distance of y from where the faces cross, crossing its component along the normal.
 void Cohesion::update(Span<const Vec3> moved, Span<Spring> springs) {
   for (int i = 0; i < moved.size(); ++i) {
     const Bond& bond = memory_.bonds[static_cast<std::size_t>(i)];
     const Stretch& stretch = stretches_[static_cast<std::size_t>(i)];
     if (!stretch.parted) continue;
     const Vec3 y = stretch.start + moved[i], &n = stretch.normal;
-    Mat3 stiffness = bond.area * stretch.slope * Mat3::Identity();
-    if (n.dot(y) < 0) stiffness += bond.area * (bond.steepest - stretch.slope) * n * n.transpose();
-    springs[i].set(stiffness, -stiffness * y, moved[i]);
+    const double crossing = std::min(0.0, n.dot(y));
+    const Vec3 open = y - crossing * n;
+    const double opening = open.norm();
+    const bool is_limited = stretch.slope * opening > stretch.limit;
+    const double slope = is_limited ? stretch.limit / opening : stretch.slope;
+    Mat3 stiffness = slope * Mat3::Identity();
+    if (is_limited) stiffness -= slope / (opening * opening) * open * open.transpose();
+    if (crossing < 0) stiffness += (bond.steepest - slope) * n * n.transpose();
+    springs[i].set(bond.area * stiffness, -bond.area * (slope * open + bond.steepest * crossing * n), moved[i]);
   }
 }
 

@@ -52,6 +52,7 @@ void CrackGrowth::topologyChanged(const Assembly& assembly, const std::vector<in
   stress_.topologyChanged(assembly);
   strengths_ = strengthsOf(settings_, assembly.materials().regions());
   loading_.resize(mesh.parts().size());
+  looked_at_.resize(mesh.parts().size());
   fringes_ = findFringes(mesh, memory_.cracks);
   if (fuses()) {
     faces_ = crackFaces(mesh);

@@ -42,6 +42,11 @@ std::vector<std::pair<int, int>> joinedParts(const CutMesh& mesh, const Regions&
   return joined;
 }
 
+/// Whether some stress between the bounds is beyond the strength, or a bound is not a number.
+bool mayBreak(const PrincipalBounds& bounds, const Strength& strength) {
+  return !(bounds[1] <= strength.tensile && -bounds[0] <= strength.compressive);
+}
+
 }  // namespace
 
 void SmoothedStress::topologyChanged(const Assembly& assembly) {
@@ -55,20 +60,58 @@ void SmoothedStress::topologyChanged(const Assembly& assembly) {
   });
   raw_.resize(parts);
   smoothed_.resize(parts);
+  bounds_.resize(parts);
+  marks_.resize(parts);
+}
+
+/// The mean by volume of what a part and its neighbours have.
+template <typename Value>
+Value SmoothedStress::mean(const Assembly& assembly, const std::vector<Value>& values, int part) const {
+  double volume = assembly.volume(part);
+  Value sum = volume * values[part];
+  for (int neighbour : neighbours_[part]) {
+    const double V = assembly.volume(neighbour);
+    sum += V * values[neighbour];
+    volume += V;
+  }
+  return sum / volume;
+}
+
+// The largest principal stress is a convex function of the stress, the smallest a concave one: that of a mean lies
+// between the means of the bounds. Neighbours share a region, so where all of them bear what they have, so does their
+// mean.
+bool SmoothedStress::findSuspects(const Assembly& assembly, const std::vector<Vec3>& x,
+                                  const std::vector<Strength>& strengths, std::vector<char>* suspects) {
+  const int parts = static_cast<int>(raw_.size());
+  const auto strengthOf = [&](int p) -> const Strength& {
+    return strengths[assembly.materials().regions().of(assembly.mesh().parts()[p].element)];
+  };
+  assembly.principalBounds(x, &bounds_);
+  parallelFor(parts, assembly.threads(), [&](int p) { marks_[p] = mayBreak(bounds_[p], strengthOf(p)); });
+  const auto isMarked = [&](int p) { return marks_[p] != 0; };
+  if (std::none_of(marks_.begin(), marks_.end(), [](char mark) { return mark != 0; })) return false;
+  parallelFor(parts, assembly.threads(), [&](int p) {
+    const bool any = isMarked(p) || std::any_of(neighbours_[p].begin(), neighbours_[p].end(), isMarked);
+    (*suspects)[p] = any && mayBreak(mean(assembly, bounds_, p), strengthOf(p));
+  });
+  return std::any_of(suspects->begin(), suspects->end(), [](char suspect) { return suspect != 0; });
 }
 
 void SmoothedStress::update(const Assembly& assembly, const std::vector<Vec3>& x) {
-  const int parts = static_cast<int>(raw_.size());
   assembly.stresses(x, &raw_);
+  parallelFor(static_cast<int>(raw_.size()), assembly.threads(),
+              [&](int p) { smoothed_[p] = mean(assembly, raw_, p); });
+}
+
+void SmoothedStress::update(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<char>& wanted) {
+  const int parts = static_cast<int>(raw_.size());
   parallelFor(parts, assembly.threads(), [&](int p) {
-    double volume = assembly.volume(p);
-    Mat3 sum = volume * raw_[p];
-    for (int neighbour : neighbours_[p]) {
-      const double V = assembly.volume(neighbour);
-      sum += V * raw_[neighbour];
-      volume += V;
-    }
-    smoothed_[p] = sum / volume;
+    marks_[p] =
+        wanted[p] || std::any_of(neighbours_[p].begin(), neighbours_[p].end(), [&](int q) { return wanted[q]; });
+  });
+  assembly.stresses(x, marks_, &raw_);
+  parallelFor(parts, assembly.threads(), [&](int p) {
+    if (wanted[p]) smoothed_[p] = mean(assembly, raw_, p);
   });
 }
 

@@ -1,5 +1,7 @@
 #include "incision/solver/couplers.h"
 
+#include <algorithm>
+
 namespace incision {
 
 Couplers::Couplers(std::vector<Coupler*> list)
@@ -32,6 +34,13 @@ void Couplers::update(const std::vector<Vec3>& moved) {
   for (std::size_t i = 0; i < list_.size(); ++i)
     if (takes_part_[i])
       list_[i]->update(ofCoupler(i, moved), {springs_.data() + first_[i], springs_.data() + first_[i + 1]});
+}
+
+double Couplers::looseness() const {
+  double least = 1;
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (takes_part_[i]) least = std::min(least, list_[i]->looseness());
+  return least;
 }
 
 void Couplers::findWrenches(const std::vector<Vec3>& impulses, const std::vector<Vec3>& y,

@@ -7,9 +7,6 @@
 namespace incision {
 namespace {
 
-/// What a solve before the last leaves of a group's residual: the springs it is made with are not yet the right ones.
-constexpr double LOOSE = 1e-2;
-
 /// A spring's force may still change by this share of the largest one in its group.
 constexpr double SETTLED = 1e-3;
 
@@ -35,12 +32,13 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   }
   if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance))
     startAt(p, p.basis[0], dv);
-  if (coupled && !guessRigidly(p, dv)) return false;
+  const bool drives_free = coupled && driveFreePieces(p);
+  if (drives_free && !guessRigidly(p, dv)) return false;
   bool tight = !coupled, same_springs = false;
   double before = std::numeric_limits<double>::infinity();  // what the last solve with these springs left
   for (bool first = true;; first = false) {
     if (!same_springs && !takeSprings(p)) return false;
-    if (!findDirection(p, *norms, first, tight)) {
+    if (!findDirection(p, *norms, first && !drives_free ? &p.basis : nullptr, tight)) {
       if (!p.equations->fallBack(used_)) return false;
       startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
       same_springs = true;
@@ -51,7 +49,8 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     stats_.settled = !coupled || isSettled(p, *norms);
     const bool last_springs = stats_.settled || stats_.solves >= MAX_SOLVES;
     if (!coupled) p.equations->balance(dv);
-    if (tight || hasRunOut(p)) p.equations->residual(*dv, &alone_);
+    // Before the first tight solve too: what float has lost in the loose ones would take another to find.
+    if (tight || last_springs || hasRunOut(p)) p.equations->residual(*dv, &alone_);
     stats_.residual = ratioLeft(norms);
     const bool finite = std::isfinite(stats_.residual);
     if (tight) {
@@ -123,6 +122,15 @@ void Newton::place(const StepProblem& p, const std::vector<Vec3>& dv) {
     moved_[i] = weightedSum(used_[i], p.ahead) + p.time_step * weightedSum(used_[i], dv);
 }
 
+/// Whether a spring acts on a free piece. Where none does there is no rigid motion to guess, and Δv is likely near what
+/// it was.
+bool Newton::driveFreePieces(const StepProblem& p) const {
+  return std::any_of(used_.begin(), used_.end(), [&](const Spring& spring) {
+    return std::any_of(spring.copies.begin(), spring.copies.begin() + spring.count,
+                       [&](int copy) { return p.rigid.isFree(static_cast<std::size_t>(copy)); });
+  });
+}
+
 /// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be. Returns
 /// false where that step is not wanted.
 bool Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
@@ -149,12 +157,12 @@ bool Newton::takeSprings(const StepProblem& p) {
   return p.equations->setSprings(used_);
 }
 
-/// The Newton direction from Δv, and what the body alone does along it where springs ask for that. Returns false where
-/// a value is not finite.
-bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight) {
+/// The Newton direction from Δv, likely near a sum of the `basis` if there is one, and what the body alone does along
+/// it where springs ask for that. Returns false where a value is not finite.
+bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, const Basis* basis, bool tight) {
   const std::size_t copies = alone_.size();
   limit_ = norms.measures();
-  const bool again = !first && !p.couplers && stats_.residual < NEARLY * p.tolerance;
+  const bool again = !basis && !p.couplers && stats_.residual < NEARLY * p.tolerance;
   const double asked = (again ? AGAIN : 1) * p.tolerance;
   for (double& limit : limit_) limit *= asked * asked;
   right_ = alone_;
@@ -162,13 +170,12 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool f
     group_of_piece_.resize(limit_.size());
     for (std::size_t c = 0; c < copies; ++c) group_of_piece_[p.piece[c]] = p.group[c];
     for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], p.time_step * used_[i].at(moved_[i]), &right_);
-    if (!tight) loosen(norms);
+    if (!tight) loosen(norms, p.couplers->looseness());
   }
   direction_.assign(copies, Vec3::Zero());
   left_.resize(copies);
   const int most = p.most_iterations ? *p.most_iterations - stats_.iterations : std::numeric_limits<int>::max();
-  stats_.iterations +=
-      p.equations->correct(right_, limit_, most, first && !p.couplers ? &p.basis : nullptr, &direction_, &left_);
+  stats_.iterations += p.equations->correct(right_, limit_, most, basis, &direction_, &left_);
   for (Group& group : groups_) group.share = 1;
   if (!p.couplers) return true;
   pull_.resize(copies);
@@ -185,14 +192,15 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, bool f
   return std::isfinite(length);
 }
 
-/// Lets each piece have the larger limit of its group's loose solve; those of groups that have settled wait.
-void Newton::loosen(const PieceNorms& norms) {
+/// Lets each piece have the larger limit of its group's loose solve, since the springs are not yet the right ones;
+/// those of groups that have settled wait.
+void Newton::loosen(const PieceNorms& norms, double looseness) {
   norms.squares(right_, &square_);
   group_square_.assign(groups_.size(), 0);
   for (std::size_t s = 0; s < square_.size(); ++s) group_square_[group_of_piece_[s]] += square_[s];
   for (std::size_t s = 0; s < square_.size(); ++s) {
     const int group = group_of_piece_[s];
-    limit_[s] = std::max(limit_[s], (groups_[group].settled ? 1 : LOOSE * LOOSE) * group_square_[group]);
+    limit_[s] = std::max(limit_[s], (groups_[group].settled ? 1 : looseness * looseness) * group_square_[group]);
   }
 }
 
@@ -211,7 +219,7 @@ void Newton::searchLines(const StepProblem& p) {
   trySprings(p, true);
   bool any = false;
   for (Group& group : groups_) {
-    group.searches = group.here < 0 && group.at_start > 0;
+    group.searches = group.here < 0 && group.at_start > 0 && !LineSearch::isNear(group.here, group.at_start);
     any = any || group.searches;
   }
   for (int k = 0; any && k < LineSearch::MOST; ++k) {

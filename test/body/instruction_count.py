@@ -26,6 +26,8 @@ CASES = (
     ('cut once', ITERATIVE + CUT, 13.9),  # counted: 12.57
     ('averaged pressure', ITERATIVE + ('body.pressure=averaged',), 14.1),  # counted: 12.74
     ('without warping', ('body.warping=false',), 3.9),  # counted: 3.48
+    ('fracture waits', ITERATIVE + ('fracture={tensile_strength: 1.0e+9}',), 11.1),  # counted: 10.51
+    ('cohesion', ITERATIVE + ('fracture={tensile_strength: 2.0e+4, fracture_energy: 10}',), 33.2),  # counted: 30.22
 )
 
 

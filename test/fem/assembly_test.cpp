@@ -163,5 +163,30 @@ TEST(Stress, LeavesTheRotationsAsTheyAreFoundWithoutIt) {
   }
 }
 
+TEST(Stress, OfSomePartsIsThatOfThemAmongAll) {
+  const Jumble jumble(Mass::LUMPED, true, 0.05), other(Mass::LUMPED, true, 0.05);
+  const std::size_t parts = jumble.rig.mesh.parts().size();
+  std::vector<Mat3> all, some;
+  jumble.assembly.stresses(jumble.rig.motion.x, &all);
+  std::vector<char> wanted(parts, 0);
+  for (std::size_t p = 0; p < parts; p += 7) wanted[p] = 1;
+  other.assembly.stresses(other.rig.motion.x, wanted, &some);
+  for (std::size_t p = 0; p < parts; p += 7) EXPECT_EQ(some[p], all[p]);
+}
+
+TEST(Stress, OfSomePartsLeavesTheRotationsAsTheyAreFoundWithoutIt) {
+  Jumble with(Mass::LUMPED, true, 0.05), without(Mass::LUMPED, true, 0.05);
+  std::vector<Mat3> stress;
+  std::vector<char> wanted(with.rig.mesh.parts().size(), 0);
+  wanted[wanted.size() / 2] = 1;
+  with.assembly.stresses(with.rig.motion.x, wanted, &stress);
+  std::vector<Vec3> forces, expected;
+  with.assembly.rotate(with.rig.motion.x);
+  with.assembly.elasticForces(with.rig.motion.x, &forces);
+  without.assembly.rotate(without.rig.motion.x);
+  without.assembly.elasticForces(without.rig.motion.x, &expected);
+  EXPECT_EQ(forces, expected);
+}
+
 }  // namespace
 }  // namespace incision

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "incision/fracture/rankine.h"
 #include "support/random.h"
 #include "support/rig.h"
 
@@ -78,6 +79,39 @@ TEST(SmoothedStress, NothingCrossesFromOneRegionToAnother) {
     const double pulled = 0.1 * (lame.lambda + 2 * lame.mu);
     EXPECT_NEAR(stress.smoothed()[p](0, 0), pulled, 1e-9 * pulled);
   }
+}
+
+TEST(SmoothedStress, EveryPartBeyondItsStrengthIsASuspectAndFewOthersAre) {
+  RigSettings settings;
+  settings.regions.resize(1);
+  settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(2, 2, 2)};
+  settings.regions[0].young_modulus = 100 * settings.material.young_modulus;
+  Rig rig(block({8, 4, 4}, Vec3(1, 0.5, 0.5)), settings);
+  rig.cut(plane(Vec3(0.31, 0.3, 0.3), Vec3(1, 0.3, 0.2)));
+  const std::vector<Vec3> moved = randomVectors(rig.motion.x.size(), 1e-3, 6);
+  for (std::size_t c = 0; c < moved.size(); ++c) rig.motion.x[c] += moved[c];
+  SmoothedStress all, some;
+  for (SmoothedStress* stress : {&all, &some}) stress->topologyChanged(rig.step.assembly());
+  all.update(rig.step.assembly(), rig.motion.x);
+  const std::size_t parts = rig.mesh.parts().size();
+  std::size_t suspected = 0, broken = 0;
+  for (const double strain : {3e-3, 4e-3, 6e-3, 8e-3, 1e-2}) {
+    const double soft = strain * settings.material.young_modulus;
+    const std::vector<Strength> strengths = {{soft, 1.5 * soft}, {100 * soft, 150 * soft}};
+    std::vector<char> suspects(parts, 0);
+    if (!some.findSuspects(rig.step.assembly(), rig.motion.x, strengths, &suspects)) suspects.assign(parts, 0);
+    some.update(rig.step.assembly(), rig.motion.x, suspects);
+    for (std::size_t p = 0; p < parts; ++p) {
+      const Strength& strength = strengths[rig.materials.regions().of(rig.mesh.parts()[p].element)];
+      const bool breaks = rankine(all.smoothed()[p], strength).share > 1;
+      if (breaks) EXPECT_TRUE(suspects[p]);
+      if (suspects[p]) EXPECT_EQ(some.smoothed()[p], all.smoothed()[p]);
+      suspected += suspects[p];
+      broken += breaks;
+    }
+  }
+  EXPECT_GT(broken, 0U);
+  EXPECT_LT(suspected, 4 * broken);
 }
 
 TEST(SmoothedStress, WhatACrackRelievesDoesNotHideWhatLiesAhead) {

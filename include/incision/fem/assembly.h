@@ -10,6 +10,7 @@
 #include "incision/fem/materials.h"
 #include "incision/fem/patches.h"
 #include "incision/fem/pressure.h"
+#include "incision/fem/rotation.h"
 #include "incision/fem/run_sums.h"
 
 namespace incision {
@@ -18,6 +19,9 @@ namespace incision {
 struct Corner {
   unsigned part : 30, node : 2;
 };
+
+/// The least and the most that a principal stress [Pa] can be.
+using PrincipalBounds = Eigen::Vector2d;
 
 /// Forces and masses of all parts, over the copies. `topologyChanged` must be called before use and after every cut.
 class Assembly {
@@ -62,6 +66,11 @@ class Assembly {
   /// Cauchy stress [Pa] of every part, with the rotations that belong to `x`. `rotate` at these positions then needs
   /// not find the rotations again.
   void stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const;
+  /// The same of the parts that are `wanted`, and perhaps of some more; what the others have is left.
+  void stresses(const std::vector<Vec3>& x, const std::vector<char>& wanted, std::vector<Mat3>* stress) const;
+  /// What the principal stresses of every part lie between at `x`: much cheaper than they are, close where the strain
+  /// is small, and infinite where it is large or not a number.
+  void principalBounds(const std::vector<Vec3>& x, std::vector<PrincipalBounds>* bounds) const;
 
   const CutMesh& mesh() const { return mesh_; }
   const Materials& materials() const { return materials_; }
@@ -99,8 +108,14 @@ class Assembly {
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
   void addForces(int first, int count, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
+  int groups() const { return (static_cast<int>(rotations_.size()) + LANES - 1) / LANES; }
+  template <typename Function>
+  void turnGroup(int group, const std::vector<Vec3>& x, const Function& f) const;
   template <typename Function>
   void turnAll(const std::vector<Vec3>& x, const Function& f) const;
+  template <typename Wanted>
+  void stressesOfGroups(const std::vector<Vec3>& x, const Wanted& isWanted, std::vector<Mat3>* stress) const;
+  void addMeanDilatations(std::vector<PrincipalBounds>* bounds) const;
   template <typename Rotation>
   void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
   /// σ of a part in its unrotated frame, by λ and μ. With averaged pressure it takes the mean dilatation that was found
@@ -129,8 +144,10 @@ class Assembly {
   mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_; else those before the last `rotate`
   mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
   mutable RunSums run_sums_;                     // scratch of elasticForces
+  mutable std::vector<char> found_;              // whether those of each group of LANES parts were
   mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass
   mutable std::vector<double> dilatations_, mean_dilatations_;  // of parts and patches; scratch of averaged pressure
+  mutable std::vector<double> dilatation_spreads_;  // of parts, likewise: how far they may be off, for bounds alone
 };
 
 }  // namespace incision

@@ -105,7 +105,7 @@ class CrackGrowth {
   };
 
   bool fuses() const { return settings_.fuse_distance > 0; }
-  double load(const Assembly& assembly, const std::vector<Vec3>& x);
+  double load(const Assembly& assembly, const std::vector<Vec3>& x, bool any_runs);
   void wait(const std::vector<int>& nodes);
   bool waits(const CutMesh& mesh, int part) const;
   void findBeside(const CutMesh& mesh);
@@ -128,6 +128,7 @@ class CrackGrowth {
   SmoothedStress stress_;
   std::vector<Strength> strengths_;  // of every region
   std::vector<Loading> loading_;     // of every part
+  std::vector<char> looked_at_;      // of every part: whether its stress is known in this step
   std::vector<Fringe> fringes_;
   std::vector<CrackFace> faces_;  // of all cracks, where cracks fuse
   std::vector<Target> targets_;   // of every fringe, where cracks fuse

@@ -66,6 +66,10 @@ class Coupler : public Remembers {
   /// Gives each of its springs the force and the stiffness at these displacements [m] under the bounds taken last.
   virtual void update(Span<const Vec3> moved, Span<Spring> springs) = 0;
 
+  /// What a solve before the last may leave of the residual. Where springs come and go from solve to solve, as contacts
+  /// do, a loose one finds wrong ones.
+  virtual double looseness() const { return 1e-2; }
+
   /// The step has been taken, to these displacements [m] of its springs' points. `felt` is what the springs have done
   /// to their other end, as wrenchOf says; without another end it is zero.
   virtual void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) = 0;

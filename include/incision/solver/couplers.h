@@ -25,6 +25,8 @@ class Couplers {
   void takeBounds(const std::vector<Vec3>& moved, double share = 1);
   /// Gives the springs their forces and stiffnesses at these displacements [m].
   void update(const std::vector<Vec3>& moved);
+  /// The least of those that take part.
+  double looseness() const;
 
   /// All that may act in the step, each with the index of its coupler. Those that do not press have neither force nor
   /// stiffness.

@@ -116,10 +116,11 @@ class Newton {
   void start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv);
   void startAt(const StepProblem& p, const std::vector<Vec3>& guess, std::vector<Vec3>* dv);
   void place(const StepProblem& p, const std::vector<Vec3>& dv);
+  bool driveFreePieces(const StepProblem& p) const;
   bool guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
   bool takeSprings(const StepProblem& p);
-  bool findDirection(const StepProblem& p, const PieceNorms& norms, bool first, bool tight);
-  void loosen(const PieceNorms& norms);
+  bool findDirection(const StepProblem& p, const PieceNorms& norms, const Basis* basis, bool tight);
+  void loosen(const PieceNorms& norms, double looseness);
   void searchLines(const StepProblem& p);
   void trySprings(const StepProblem& p, bool on_the_way);
   void takeStep(const StepProblem& p, std::vector<Vec3>* dv);
