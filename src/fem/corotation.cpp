@@ -1,0 +1,194 @@
+// What the parts' rotations give: forces, energy and stress.
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "incision/base/parallel.h"
+#include "incision/fem/assembly.h"
+#include "lanes.h"
+
+namespace incision {
+
+/// Calls f(p, F_p, R_p) for every part of a group of LANES, with the gradient and the rotation that belong to `x`.
+template <typename Function>
+void Assembly::turnGroup(int group, const std::vector<Vec3>& x, const Function& f) const {
+  const int parts = static_cast<int>(rotations_.size()), first = LANES * group;
+  std::array<Mat3, LANES> F, R;
+  for (int l = 0; l < LANES; ++l) {
+    const int p = std::min(first + l, parts - 1);  // the last one fills up its group
+    F[l] = gradientOf(p, x);
+    R[l] = rotations_[p];
+  }
+  if (warping_) polarRotations(F.data(), R.data());
+  for (int p = first; p < std::min(first + LANES, parts); ++p) f(p, F[p - first], R[p - first]);
+}
+
+template <typename Function>
+void Assembly::turnAll(const std::vector<Vec3>& x, const Function& f) const {
+  parallelFor(groups(), threads_, [&](int group) { turnGroup(group, x, f); });
+}
+
+void Assembly::rotate(const std::vector<Vec3>& x) {
+  if (!warping_) return;
+  const bool any_found = found_at_ == x && found_rotations_.size() == rotations_.size();
+  found_rotations_.resize(rotations_.size());
+  parallelFor(groups(), threads_, [&](int group) {
+    if (any_found && found_[group]) return;
+    turnGroup(group, x, [&](int p, const Mat3&, const Mat3& R) { found_rotations_[p] = R; });
+  });
+  rotations_.swap(found_rotations_);
+  rotated_ = true;
+  found_at_.clear();
+}
+
+void Assembly::rotateOn(const std::vector<Vec3>& x) {
+  if (warping_) turnAll(x, [&](int p, const Mat3&, const Mat3& R) { rotations_[p] = R; });
+}
+
+void Assembly::rotateBack() {
+  if (warping_) rotations_.swap(found_rotations_);
+  rotated_ = false;
+}
+
+// K_e is V_e Bᵀ D B, and B acts on R_pᵀ y − X through its gradient R_pᵀ F − I alone: the force on node I is V_p R σ
+// b_I, and the four sum to zero. With averaged pressure σ holds the mean dilatation θ_a of the part's patch, which is
+// the derivative of Σ_p V_p μ ε:ε + Σ_a V_a ½ λ θ_a², as every θ_p goes into θ_a by its volume.
+void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const {
+  if (patches_) averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
+  parallelFor(run_sums_.runs(), threads_, [&](int run) {
+    run_sums_.clear(run);
+    const int parts = static_cast<int>(mesh_.parts().size()), end = std::min(parts, RunSums::RUN * (run + 1));
+    for (int p = RunSums::RUN * run; p < end; p += LANES) addForces(p, std::min(LANES, end - p), y);
+  });
+  run_sums_.gather(forces, threads_);
+}
+
+/// Those of up to LANES parts go into their run's sums.
+void Assembly::addForces(int first, int count, const std::vector<Vec3>& y) const {
+  std::array<int, LANES> at;  // the last one fills up the lanes
+  std::array<const TissueElement*, LANES> element;
+  LaneMatrix D, b, R, F, RtF, stress, turned, f;
+  Lanes lambda, mu, dilatation = Lanes();
+  for (int l = 0; l < LANES; ++l) {
+    at[l] = first + std::min(l, count - 1);
+    const Part& part = mesh_.parts()[at[l]];
+    element[l] = &elements_[part.element];
+    const Vec3& y_0 = y[part.copies[0]];
+    for (int J = 0; J < 3; ++J)
+      for (int i = 0; i < 3; ++i) D[i][J][l] = y[part.copies[J + 1]][i] - y_0[i];
+    const double V = part.fraction * element[l]->volume;
+    lambda[l] = V * element[l]->lame.lambda;
+    mu[l] = V * element[l]->lame.mu;
+    if (patches_) dilatation[l] = mean_dilatations_[patches_->of(at[l])];
+  }
+  load([&](int l) -> const Mat3& { return element[l]->b; }, b);
+  load([&](int l) -> const Mat3& { return rotations_[at[l]]; }, R);
+  multiplyByTransposed(D, b, F);
+  multiplyTransposed(R, F, RtF);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) stress[i][j] = mu * (RtF[i][j] + RtF[j][i] - (i == j ? 2.0 : 0.0));
+  if (!patches_) dilatation = RtF[0][0] + RtF[1][1] + RtF[2][2] - 3.0;
+  for (int i = 0; i < 3; ++i) stress[i][i] += lambda * dilatation;
+  multiply(R, stress, turned);
+  multiply(turned, b, f);
+  for (int l = 0; l < count; ++l) {
+    const std::array<Vec3*, 4> sums = {&run_sums_.at(at[l], 0), &run_sums_.at(at[l], 1), &run_sums_.at(at[l], 2),
+                                       &run_sums_.at(at[l], 3)};
+    for (int i = 0; i < 3; ++i) {
+      for (int J = 0; J < 3; ++J) (*sums[J + 1])[i] += f[i][J][l];
+      (*sums[0])[i] -= f[i][0][l] + f[i][1][l] + f[i][2][l];
+    }
+  }
+}
+
+/// θ_p = tr(R_pᵀ F_p) − 3 of every part, then θ_a = Σ V_p θ_p / V_a of every patch.
+template <typename Rotation>
+void Assembly::averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const {
+  dilatations_.resize(mesh_.parts().size());
+  parallelFor(static_cast<int>(dilatations_.size()), threads_, [&](int p) {
+    const Mat3 F = gradientOf(p, y);
+    dilatations_[p] = rotationOf(p, F).cwiseProduct(F).sum() - 3;
+  });
+  mean_dilatations_.resize(patches_->count());
+  parallelFor(patches_->count(), threads_, [&](int a) {
+    double gained = 0;
+    for (int p : patches_->parts()[a]) gained += volume(p) * dilatations_[p];
+    mean_dilatations_[a] = gained / patchVolume(a);
+  });
+}
+
+Mat3 Assembly::rotationAt(int part, const Mat3& F) const {
+  return warping_ ? polarRotation(F, rotations_[part]) : Mat3::Identity();
+}
+
+double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
+  const std::size_t parts = mesh_.parts().size();
+  if (patches_) {
+    std::vector<Mat3> turned(parts);
+    turnAll(x, [&](int p, const Mat3&, const Mat3& R) { turned[p] = R; });
+    averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return turned[p]; });
+  }
+  std::vector<double> energies(parts);
+  turnAll(x, [&](int p, const Mat3& F, const Mat3& R) {
+    const Mat3 RtF = R.transpose() * F;
+    energies[p] = 0.5 * volume(p) * stressOf(p, RtF, lameOf(p)).cwiseProduct(corotatedStrain(RtF)).sum();
+  });
+  return std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
+Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
+  const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
+  if (!patches_) return R * corotatedStress(R.transpose() * F, lameOf(part)) * R.transpose();
+  double gained = 0;
+  const int a = patches_->of(part);
+  for (int p : patches_->parts()[a]) {
+    const Mat3 F_p = gradientOf(p, x);
+    gained += volume(p) * (rotationAt(p, F_p).cwiseProduct(F_p).sum() - 3);
+  }
+  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), lameOf(part)) * R.transpose();
+}
+
+void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {
+  stressesOfGroups(
+      x, [](int) { return true; }, stress);
+}
+
+// The mean dilatations need those of all parts.
+void Assembly::stresses(const std::vector<Vec3>& x, const std::vector<char>& wanted, std::vector<Mat3>* stress) const {
+  if (patches_) return stresses(x, stress);
+  const auto isWanted = [&](int group) {
+    const int first = LANES * group, end = std::min(first + LANES, static_cast<int>(wanted.size()));
+    return std::find(wanted.begin() + first, wanted.begin() + end, 1) != wanted.begin() + end;
+  };
+  stressesOfGroups(x, isWanted, stress);
+}
+
+/// A group is turned as a whole, since the rotations it finds differ in last digits with what is found together.
+template <typename Wanted>
+void Assembly::stressesOfGroups(const std::vector<Vec3>& x, const Wanted& isWanted, std::vector<Mat3>* stress) const {
+  stress->resize(rotations_.size());
+  found_rotations_.resize(rotations_.size());
+  found_at_ = x;
+  found_.resize(groups());
+  parallelFor(groups(), threads_, [&](int group) {
+    found_[group] = isWanted(group);
+    if (!found_[group]) return;
+    turnGroup(group, x, [&](int p, const Mat3& F, const Mat3& R) {
+      found_rotations_[p] = R;
+      const Mat3 RtF = R.transpose() * F;
+      const Lame& lame = lameOf(p);
+      (*stress)[p] = R * (patches_ ? corotatedStress(RtF, 0, lame) : corotatedStress(RtF, lame)) * R.transpose();
+    });
+  });
+  if (!patches_) return;
+  averageDilatations(x, [&](int p, const Mat3&) -> const Mat3& { return found_rotations_[p]; });
+  parallelFor(static_cast<int>(stress->size()), threads_,
+              [&](int p) { (*stress)[p].diagonal().array() += lameOf(p).lambda * mean_dilatations_[patches_->of(p)]; });
+}
+
+Mat3 Assembly::gradientOf(int part, const std::vector<Vec3>& y) const {
+  const Part& p = mesh_.parts()[part];
+  return gradient(y[p.copies[0]], y[p.copies[1]], y[p.copies[2]], y[p.copies[3]], elements_[p.element]);
+}
+
+}  // namespace incision
