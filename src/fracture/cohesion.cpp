@@ -72,12 +72,13 @@ bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
     stretch.bonded = Spring();
     for (int I = 0; I < 4; ++I) stretch.bonded.add(plus.copies[I], section.point[I]);
     for (int I = 0; I < 4; ++I) stretch.bonded.add(minus.copies[I], -section.point[I]);
-    stretch.parted = plus.copies != minus.copies;
+    const Polytope& polytope = start.mesh.polytope(section.plus);
+    const Facet* facet = facetOf(polytope, section.crack);
+    stretch.parted = facet && plus.copies != minus.copies;  // what is restored may name a part without one
     any_parted = any_parted || stretch.parted;
     stretch.start = weightedSum(stretch.bonded, start.motion.x);
-    const Polytope& polytope = start.mesh.polytope(section.plus);
     const auto placed = [&](const Barycentric& b) { return at(plus, b, start.motion.x); };
-    stretch.normal = -vectorArea(polytope, *facetOf(polytope, section.crack), placed).stableNormalized();
+    stretch.normal = facet ? Vec3(-vectorArea(polytope, *facet, placed).stableNormalized()) : Vec3::Zero();
     const Bond& bond = memory_.bonds[i];
     stretch.limit = traction(bond, 0);
     stretch.slope = stretch.limit / std::max(bond.opened, lawOf(bond).strength / bond.steepest);
