@@ -14,6 +14,9 @@ namespace {
 /// through.
 constexpr double FURTHER = 0.12;
 
+/// Shares of the search of one pair.
+constexpr std::size_t SHARES = 16;
+
 /// A piece's shape is taken anew when a vertex is off by more than this share of that.
 constexpr double SHAPE_SHARE = 0.2;
 
@@ -94,7 +97,9 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
   }
   sortOnce(&to_place_);
   parallelFor(static_cast<int>(to_place_.size()), threads, [&](int i) { trees_.place(surface, x, to_place_[i]); });
-  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) { search(surface, x, reach, stale_[i]); });
+  shares_.clear();
+  for (std::size_t i = 0; i < stale_.size(); ++i) startSearch(reach, i);
+  searchShares(surface, x, threads);
   searches_ += static_cast<int>(stale_.size());
 }
 
@@ -136,7 +141,9 @@ bool NearPairs::isFresh(const Pair& pair) const {
   return pair.generation_a == a.generation && pair.generation_b == b.generation && needed(pair) < pair.margin;
 }
 
-void NearPairs::search(const ContactSurface& surface, const std::vector<Vec3>& x, double reach, Pair* pair) const {
+/// Divides the search of a pair, which may be the only one, into shares.
+void NearPairs::startSearch(double reach, std::size_t stale) {
+  Pair* const pair = stale_[stale];
   const PieceFrames::Piece &a = frames_.pieces()[pair->a], &b = frames_.pieces()[pair->b];
   pair->faces.clear();
   pair->edges.clear();
@@ -146,25 +153,45 @@ void NearPairs::search(const ContactSurface& surface, const std::vector<Vec3>& x
   pair->generation_b = b.generation;
   pair->off = a.off[0] + b.off[0];
   pair->margin = base_margin_ + needed(*pair);
-  const double further = TURNING * (reach * std::max(a.size, b.size) + pair->margin);
-  trees_.forEachClose(pair->a, pair->b, further, [&](int t, int other) {
-    if (t == other) return;
-    addClose(surface, x, further, t, other, pair);
-    addClose(surface, x, further, other, t, pair);
-    if (pair->a == pair->b) return;
-    for (int e : edges_of_[t])
-      for (int f : edges_of_[other])
-        if (areClose(boxOf(surface.edges[e], x), boxOf(surface.edges[f], x), further)) pair->edges.emplace_back(e, f);
+  pair->further = TURNING * (reach * std::max(a.size, b.size) + pair->margin);
+  for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->further, SHARES))
+    shares_.push_back({stale, nodes, {}, {}});
+}
+
+/// What all find together is sorted, so it makes no difference how it was divided.
+void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
+  parallelFor(static_cast<int>(shares_.size()), threads, [&](int i) {
+    Share& share = shares_[i];
+    const Pair& pair = *stale_[share.stale];
+    const bool is_one_piece = pair.a == pair.b;
+    trees_.forEachClose(share.nodes, pair.further, [&](int t, int other) {
+      if (t == other) return;
+      addClose(surface, x, pair.further, t, other, is_one_piece, &share.faces);
+      addClose(surface, x, pair.further, other, t, is_one_piece, &share.faces);
+      if (is_one_piece) return;
+      for (int e : edges_of_[t])
+        for (int f : edges_of_[other])
+          if (areClose(boxOf(surface.edges[e], x), boxOf(surface.edges[f], x), pair.further))
+            share.edges.emplace_back(e, f);
+    });
   });
-  std::sort(pair->faces.begin(), pair->faces.end(), [](const SampleTriangle& s, const SampleTriangle& t) {
-    return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);
+  for (const Share& share : shares_) {
+    Pair* const pair = stale_[share.stale];
+    pair->faces.insert(pair->faces.end(), share.faces.begin(), share.faces.end());
+    pair->edges.insert(pair->edges.end(), share.edges.begin(), share.edges.end());
+  }
+  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) {
+    Pair* const pair = stale_[i];
+    std::sort(pair->faces.begin(), pair->faces.end(), [](const SampleTriangle& s, const SampleTriangle& t) {
+      return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);
+    });
+    std::sort(pair->edges.begin(), pair->edges.end());
   });
-  std::sort(pair->edges.begin(), pair->edges.end());
 }
 
 /// Adds the samples that a triangle stands for and the other one, where they are so near.
 void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>& x, double further, int t, int other,
-                         Pair* pair) const {
+                         bool is_one_piece, std::vector<SampleTriangle>* faces) const {
   if (!has_area_[other]) return;
   const auto& [a, b, c] = surface.surface->triangles[other];
   for (int s : samples_of_[t]) {
@@ -175,7 +202,7 @@ void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>&
       continue;
     const Vec3 n = (x[b] - x[a]).cross(x[c] - x[a]);
     if (std::abs(n.dot(x[vertex] - x[a])) > further * n.norm()) continue;
-    if (pair->a != pair->b || !staysApart(surface, surface.samples[s], other)) pair->faces.push_back({s, other});
+    if (!is_one_piece || !staysApart(surface, surface.samples[s], other)) faces->push_back({s, other});
   }
 }
 

@@ -44,6 +44,37 @@ void PieceTrees::split(const std::vector<Vec3>& centres, int node) {
   nodes_.push_back({{}, middle, end});
 }
 
+/// Puts the shares that children make in the place of a share; returns false where both nodes are leaves.
+bool PieceTrees::divide(const Share& share, std::vector<Share>* open) const {
+  const auto [i, k] = share;
+  const Node &m = nodes_[i], &n = nodes_[k];
+  if (m.children < 0 && n.children < 0) return false;
+  if (i == k) {
+    open->insert(open->end(),
+                 {{m.children, m.children}, {m.children, m.children + 1}, {m.children + 1, m.children + 1}});
+  } else if (n.children < 0 || (m.children >= 0 && m.end - m.begin >= n.end - n.begin)) {
+    open->insert(open->end(), {{m.children, k}, {m.children + 1, k}});
+  } else {
+    open->insert(open->end(), {{i, n.children}, {i, n.children + 1}});
+  }
+  return true;
+}
+
+std::vector<PieceTrees::Share> PieceTrees::shares(int a, int b, double reach, std::size_t most) const {
+  std::vector<Share> found;
+  if (start_[a] == start_[a + 1] || start_[b] == start_[b + 1]) return found;
+  found.emplace_back(start_[a], start_[b]);
+  for (std::size_t next = 0; next < found.size() && found.size() - next < most;) {
+    const Share share = found[next];
+    if (areClose(nodes_[share.first].box, nodes_[share.second].box, reach) && !divide(share, &found)) {
+      ++next;
+    } else {
+      found.erase(found.begin() + static_cast<std::ptrdiff_t>(next));
+    }
+  }
+  return found;
+}
+
 void PieceTrees::place(const ContactSurface& surface, const std::vector<Vec3>& x, int piece) {
   for (int i = start_[piece + 1] - 1; i >= start_[piece]; --i) {
     Node& node = nodes_[i];

@@ -27,8 +27,9 @@ class NearPairs {
     friend class NearPairs;
     PieceFrames::Frame from_a, from_b;  // where they were at the search
     int generation_a = 0, generation_b = 0;
-    double off = 0;     // of both from their shapes at the search [m]
-    double margin = 0;  // by how much it looked further [m]
+    double off = 0;      // of both from their shapes at the search [m]
+    double margin = 0;   // by how much it looked further than to its reach, [m]
+    double further = 0;  // and so how far in all [m]
   };
 
   void surfaceChanged(const ContactSurface& surface);
@@ -45,11 +46,20 @@ class NearPairs {
 
  private:
   void findClosePieces(double reach);
+  /// A part of a search, and what it has found.
+  struct Share {
+    std::size_t stale;  // index of the pair
+    PieceTrees::Share nodes;
+    std::vector<SampleTriangle> faces;
+    std::vector<std::pair<int, int>> edges;
+  };
+
   double needed(const Pair& pair) const;
   bool isFresh(const Pair& pair) const;
-  void search(const ContactSurface& surface, const std::vector<Vec3>& x, double reach, Pair* pair) const;
+  void startSearch(double reach, std::size_t stale);
+  void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   void addClose(const ContactSurface& surface, const std::vector<Vec3>& x, double further, int t, int other,
-                Pair* pair) const;
+                bool is_one_piece, std::vector<SampleTriangle>* faces) const;
 
   PieceFrames frames_;
   PieceTrees trees_;
@@ -62,6 +72,7 @@ class NearPairs {
   std::vector<std::pair<int, int>> close_;
   std::vector<Pair*> active_, stale_;
   std::vector<int> to_place_;
+  std::vector<Share> shares_;
 };
 
 }  // namespace incision

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <utility>
 #include <vector>
 
 #include "incision/base/lists.h"
@@ -22,10 +23,18 @@ class PieceTrees {
   /// Puts the boxes of a piece where its vertices are.
   void place(const ContactSurface& surface, const std::vector<Vec3>& x, int piece);
 
-  /// Calls f(triangle of a, triangle of b) where the boxes of two triangles are close by `reach` [m]. With a = b it is
-  /// called once for each two triangles, and for each with itself.
+  /// Two nodes whose triangles are to be compared, each of the one with each of the other.
+  using Share = std::pair<int, int>;
+
+  /// What there is to compare of two pieces, divided into some shares that can be looked at each by itself, `most` or a
+  /// few more. Triangles that are not in one of them together do not come close by `reach` [m].
+  std::vector<Share> shares(int a, int b, double reach, std::size_t most) const;
+
+  /// Calls f(triangle of the one, triangle of the other) where the boxes of two triangles of a share are close by
+  /// `reach` [m]. Of a piece and itself, over all shares it is called once for each two triangles, and for each with
+  /// itself.
   template <typename Function>
-  void forEachClose(int a, int b, double reach, const Function& f) const;
+  void forEachClose(const Share& share, double reach, const Function& f) const;
 
  private:
   struct Node {
@@ -35,6 +44,7 @@ class PieceTrees {
   };
 
   void split(const std::vector<Vec3>& centres, int node);
+  bool divide(const Share& share, std::vector<Share>* open) const;
 
   std::vector<int> order_;                  // triangles, so that those of a node lie together
   std::vector<Eigen::AlignedBox3d> boxes_;  // of the triangles, in that order
@@ -43,26 +53,17 @@ class PieceTrees {
 };
 
 template <typename Function>
-void PieceTrees::forEachClose(int a, int b, double reach, const Function& f) const {
-  if (start_[a] == start_[a + 1] || start_[b] == start_[b + 1]) return;
-  std::vector<std::pair<int, int>> open = {{start_[a], start_[b]}};
+void PieceTrees::forEachClose(const Share& share, double reach, const Function& f) const {
+  std::vector<Share> open = {share};
   while (!open.empty()) {
     const auto [i, k] = open.back();
     open.pop_back();
     const Node &m = nodes_[i], &n = nodes_[k];
     if (!areClose(m.box, n.box, reach)) continue;
-    if (m.children < 0 && n.children < 0) {
-      for (int s = m.begin; s < m.end; ++s)
-        for (int t = i == k ? s : n.begin; t < n.end; ++t)
-          if (areClose(boxes_[s], boxes_[t], reach)) f(order_[s], order_[t]);
-    } else if (i == k) {
-      open.insert(open.end(),
-                  {{m.children, m.children}, {m.children, m.children + 1}, {m.children + 1, m.children + 1}});
-    } else if (n.children < 0 || (m.children >= 0 && m.end - m.begin >= n.end - n.begin)) {
-      open.insert(open.end(), {{m.children, k}, {m.children + 1, k}});
-    } else {
-      open.insert(open.end(), {{i, n.children}, {i, n.children + 1}});
-    }
+    if (divide({i, k}, &open)) continue;
+    for (int s = m.begin; s < m.end; ++s)
+      for (int t = i == k ? s : n.begin; t < n.end; ++t)
+        if (areClose(boxes_[s], boxes_[t], reach)) f(order_[s], order_[t]);
   }
 }
 
