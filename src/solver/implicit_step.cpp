@@ -219,9 +219,15 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
 /// Returns whether the step is what is demanded.
 bool ImplicitStep::takeChange(const Motion& start) {
   balanceMomentum(true, &dv_);
-  rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x);
+  rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x, mostTurn());
   const SolveStats& stats = newton_.stats();
   return (demand_ != StepDemand::SOUND || stats.settled || stats.cut_short) && !turnsTooFar();
+}
+
+/// Where a step is taken as well as it goes, a piece turns no farther than this all the same [rad]: what drives it is
+/// reckoned along a chord, and would give it energy without bounds.
+double ImplicitStep::mostTurn() const {
+  return demand_ == StepDemand::ANY ? FAR_TURN : std::numeric_limits<double>::infinity();
 }
 
 /// Whether that is not what is demanded.

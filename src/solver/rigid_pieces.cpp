@@ -8,6 +8,9 @@
 namespace incision {
 namespace {
 
+/// Below this share of what turns a piece too far none is given to it beforehand.
+constexpr double LEAST_SHARE = 1e-3;
+
 /// Moments of inertia below this share of the largest are those of a line or of a point, which cannot spin about it.
 constexpr double LEAST_INERTIA = 1e-9;
 
@@ -137,7 +140,7 @@ Vec3 RigidPieces::moveAlong(std::size_t copy, const Vec3& x, StepBase* base) con
 }
 
 void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses,
-                       StepBase* base, std::vector<Vec3>* given) {
+                       StepBase* base, std::vector<Vec3>* given, double most_turn) {
   kicks_.assign(free_.size(), Kick());
   given->assign(x.size(), Vec3::Zero());
   for (std::size_t c = 0; c < x.size(); ++c) {
@@ -153,11 +156,18 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
     Kick& kick = kicks_[piece];
     if (!kick.is_coupled) continue;
     Body& body = bodies_[piece];
+    const Vec3 spin = body.spin;
+    for (double share = 1;; share = share > LEAST_SHARE ? share / 2 : 0) {
+      body.spin = spin + share * kick.spin;
+      turns_[piece] = turnOf(body, time_step_);
+      kick.turn = time_step_ * turns_[piece].rate.norm();
+      if (kick.turn > most_turn && share > 0) continue;
+      kick.momentum *= share;
+      kick.spin *= share;
+      break;
+    }
     kick.velocity = kick.momentum / body.mass;
     body.velocity += kick.velocity;
-    body.spin += kick.spin;
-    turns_[piece] = turnOf(body, time_step_);
-    kick.turn = time_step_ * turns_[piece].rate.norm();
     kick.rate = turns_[piece].rateOf(kick.spin);
   }
   for (std::size_t c = 0; c < x.size(); ++c) {
@@ -177,7 +187,7 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
 }
 
 void RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
-                             const std::vector<Vec3>& impulses, const std::vector<Vec3>& x) {
+                             const std::vector<Vec3>& impulses, const std::vector<Vec3>& x, double most_turn) {
   findKicks(assembly, base, dv, impulses, x);
   for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
     Kick& kick = kicks_[piece];
@@ -190,6 +200,10 @@ void RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, con
     body.spin += kick.spin + kick.at_start - kick.at_end;
     kicked_turns_[piece] = turnOf(body, time_step_);
     kick.turn = time_step_ * kicked_turns_[piece].rate.norm();
+    if (kick.turn <= most_turn) continue;
+    body.spin *= most_turn / kick.turn;
+    kicked_turns_[piece] = turnOf(body, time_step_);
+    kick.turn = most_turn;
   }
 }
 

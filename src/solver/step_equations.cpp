@@ -54,7 +54,7 @@ int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>&
 }
 
 bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
-  rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_);
+  rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_, mostTurn());
   if (turnsTooFar()) return false;
   findAhead(*start_x_);
   rotate(base_.x);

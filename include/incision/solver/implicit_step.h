@@ -153,6 +153,7 @@ class ImplicitStep : private StepEquations {
   void makeFallback();
   void balanceMomentum(bool coupled, std::vector<Vec3>* dv);
   bool takeChange(const Motion& start);
+  double mostTurn() const;
   bool turnsTooFar() const;
   void remember();
   void giveUp();

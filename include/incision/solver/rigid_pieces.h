@@ -39,17 +39,18 @@ class RigidPieces {
   void secondOrder(const Assembly& assembly, const Motion& now, const Motion& before, double time_step, StepBase* base);
 
   /// Gives the free pieces these impulses on copies [N s], as if at the start, when the copies were at `x` [m]: the
-  /// base is then that of the momentum and spin which they leave. `given` is what each copy has of these [N s].
+  /// base is then that of the momentum and spin which they leave. `given` is what each copy has of these [N s]. A piece
+  /// that would turn by more than `most_turn` [rad] gets a share of its impulses.
   void kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses, StepBase* base,
-            std::vector<Vec3>* given);
+            std::vector<Vec3>* given, double most_turn);
 
   /// The Δv of a step of implicit Euler from copies at `x` [m], of which couplers have given the impulses [N s]. Pieces
   /// that couplers have acted on go as if they had done so at the start: as the rigid body with the momentum and spin
   /// that it has then, and with what deforms turned along. So a piece that an impact sets spinning does not leave the
   /// circle on its tangent either, and what couplers do is no more than the energy that they have: the chord of a turn
-  /// is shorter than its tangent at the start.
+  /// is shorter than its tangent at the start. A piece that would turn by more than `most_turn` [rad] loses spin.
   void takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
-                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x);
+                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x, double most_turn);
   /// How far the piece turns the most among those that couplers have acted on, by the last of `kick` and `takeChange`,
   /// at the rate that it starts with [rad].
   double farthestTurn() const;
