@@ -10,7 +10,8 @@
 namespace incision {
 
 /// What a user should be told of a scene that can be run but is hardly meant so, a line each: regions, clamps and loads
-/// that lie where the body has nothing, a body that nothing holds, and a mesh whose unit may be another. `mesh` is the body's.
+/// that lie where the body has nothing, a body that nothing holds, and a mesh whose unit may be another. `mesh` is the
+/// body's.
 std::vector<std::string> remarksOn(const Scene& scene, const CutMesh& mesh);
 
 /// What was mended of the obstacles' and the tools' shapes when they were read.
