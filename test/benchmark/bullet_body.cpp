@@ -10,6 +10,7 @@
 #include <btBulletCollisionCommon.h>
 
 #include "benchmark/lumped_mass.h"
+#include "incision/fem/boundary.h"
 
 namespace incision::bench {
 namespace {

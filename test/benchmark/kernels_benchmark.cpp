@@ -265,7 +265,8 @@ void cutTopology(State& state) {
       motion.v.push_back(motion.v[mesh.copyParent(c)]);
     }
     const double seconds = secondsOf([&] { step.topologyChanged(motion, done.touched); });
-    step.advance(TIME_STEP, TIME_STEP, &motion);
+    step.begin(TIME_STEP, motion);
+    step.advance(TIME_STEP, &motion);
     return seconds + 1e-3 * step.times().assembly;
   });
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "benchmark/lumped_mass.h"
+#include "incision/fem/boundary.h"
 
 namespace incision::bench {
 namespace {
