@@ -14,6 +14,7 @@ import numpy
 import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt
+from matplotlib.ticker import MaxNLocator
 
 # Best of SOFA 26.06, Vega 4.0 and Bullet 3.24 on two cores, same bars and steps, E = 1e6 [ms]: SOFA each time.
 PUBLISHED = {1536: 3.0, 12288: 53, 98304: 1040}
@@ -72,6 +73,7 @@ def plot_hitch(rows, path):
     plt.xlabel('steps after the one that cuts')
     plt.ylabel('time over the median before')
     plt.ylim(bottom=0)
+    plt.gca().xaxis.set_major_locator(MaxNLocator(integer=True))
     plt.grid(True, alpha=0.3)
     plt.legend(fontsize=8)
     plt.tight_layout()
