@@ -53,7 +53,12 @@ void CheckpointServer::offer(SteadyTime now, std::uint64_t version) {
   if (period_.count() == 0) return;
   if (saving_.valid()) {
     if (saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    if (const auto took = saving_.get())
+    std::optional<std::chrono::nanoseconds> took;
+    try {
+      took = saving_.get();
+    } catch (const std::bad_alloc&) {  // there was no memory to tell of it either
+    }
+    if (took)
       took_ = *took;
     else
       saved_.reset();
