@@ -18,6 +18,10 @@ TIMEOUT = 60.0  # [s] far above what anything here takes on a busy machine
 # Stands in for rviz, which wants a display: says what it was asked to show, and stays until it is told to end.
 RVIZ = '#!/bin/bash\necho "shows $*" >>"$HOME/rviz.log"\nexec sleep 600\n'
 
+# catkin_make reads it, and asks for all of this.
+MANIFEST = '<package format="2"><name>rviz</name><version>0.0.0</version><description>Stands in</description>' \
+           '<maintainer email="nobody@example.org">nobody</maintainer><license>none</license></package>'
+
 
 def free_port():
     with socket.socket() as taken:
@@ -58,7 +62,7 @@ class Session:
         prefix = self.folder.parent / 'stand_in'
         program = prefix / 'lib/rviz/rviz'
         manifest = prefix / 'share/rviz/package.xml'
-        for path, text in ((program, RVIZ), (manifest, '<package><name>rviz</name></package>'), (prefix / '.catkin', '')):
+        for path, text in ((program, RVIZ), (manifest, MANIFEST), (prefix / '.catkin', '')):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding='utf-8')
         program.chmod(0o755)
