@@ -9,6 +9,15 @@
 namespace incision::test {
 namespace {
 
+/// Beyond x = 0.5 a hundred times as stiff.
+RigSettings softAndStiff() {
+  RigSettings settings;
+  settings.regions.resize(1);
+  settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(2, 2, 2)};
+  settings.regions[0].young_modulus = 100 * settings.material.young_modulus;
+  return settings;
+}
+
 TEST(SmoothedStress, AUniformStressStaysWhatItIs) {
   Random random(3);
   Rig rig(jitteredGrid({{3, 3, 3}, Vec3::Ones(), Vec3::Zero()}, 0.2, &random), RigSettings());
@@ -65,10 +74,7 @@ TEST(SmoothedStress, NothingCrossesACut) {
 }
 
 TEST(SmoothedStress, NothingCrossesFromOneRegionToAnother) {
-  RigSettings settings;
-  settings.regions.resize(1);
-  settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(2, 2, 2)};
-  settings.regions[0].young_modulus = 100 * settings.material.young_modulus;
+  const RigSettings settings = softAndStiff();
   Rig rig(block({4, 2, 2}, Vec3(1, 0.5, 0.5)), settings);
   for (Vec3& x : rig.motion.x) x[0] *= 1.1;
   SmoothedStress stress;
@@ -82,10 +88,7 @@ TEST(SmoothedStress, NothingCrossesFromOneRegionToAnother) {
 }
 
 TEST(SmoothedStress, EveryPartBeyondItsStrengthIsASuspectAndFewOthersAre) {
-  RigSettings settings;
-  settings.regions.resize(1);
-  settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(2, 2, 2)};
-  settings.regions[0].young_modulus = 100 * settings.material.young_modulus;
+  const RigSettings settings = softAndStiff();
   Rig rig(block({8, 4, 4}, Vec3(1, 0.5, 0.5)), settings);
   rig.cut(plane(Vec3(0.31, 0.3, 0.3), Vec3(1, 0.3, 0.2)));
   const std::vector<Vec3> moved = randomVectors(rig.motion.x.size(), 1e-3, 6);

@@ -66,7 +66,8 @@ class Assembly {
   /// Cauchy stress [Pa] of every part, with the rotations that belong to `x`. `rotate` at these positions then needs
   /// not find the rotations again.
   void stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const;
-  /// The same of the parts that are `wanted`, and perhaps of some more; what the others have is left.
+  /// Cauchy stress [Pa] of the parts that are `wanted`, and perhaps of some more; what `stress` has of the others is
+  /// left.
   void stresses(const std::vector<Vec3>& x, const std::vector<char>& wanted, std::vector<Mat3>* stress) const;
   /// What the principal stresses of every part lie between at `x`: much cheaper than they are, close where the strain
   /// is small, and infinite where it is large or not a number.

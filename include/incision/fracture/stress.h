@@ -24,7 +24,7 @@ class SmoothedStress {
 
   /// Takes the stress at the copies' positions `x` [m].
   void update(const Assembly& assembly, const std::vector<Vec3>& x);
-  /// That of the parts that are `wanted` alone.
+  /// Takes the stress of the parts that are `wanted` alone, at the copies' positions `x` [m].
   void update(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<char>& wanted);
 
   /// Cauchy stress [Pa] of every part in the body's frame.
