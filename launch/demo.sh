@@ -101,7 +101,8 @@ await_node() {
 }
 
 enter_ros
-export ROSCONSOLE_STDOUT_LINE_BUFFERED=1  # or what nodes say comes only at their end
+# What the nodes and roslaunch itself say comes at once, not in blocks of many lines: the end is read from it.
+export ROSCONSOLE_STDOUT_LINE_BUFFERED=1 PYTHONUNBUFFERED=1
 arguments=()
 if [[ $picture ]]; then
   start_display

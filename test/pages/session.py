@@ -69,8 +69,10 @@ class Session:
         return prefix
 
     def _start(self, commands, **streams):
+        # What is started in the background by a script ignores Ctrl-C, and so do all its shells; a terminal's do not.
         return subprocess.Popen(['bash', '-c', f'set -e; {self._setup} {commands}'], cwd=self.folder, text=True,
-                                env=self._environment, stdin=subprocess.DEVNULL, start_new_session=True, **streams)
+                                env=self._environment, stdin=subprocess.DEVNULL, start_new_session=True,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **streams)
 
     def run(self, commands, timeout=TIMEOUT):
         """What the commands print; all of them must succeed."""
