@@ -108,6 +108,25 @@ void addConsistentMass(const Assembly& assembly, const BlockPattern& pattern, in
   }
 }
 
+/// Adds what tension has found to the blocks of a row, in their units.
+template <typename T, typename Scales>
+void addTension(const Assembly& assembly, const BlockPattern& pattern, int row, const Tension& tension,
+                const Scales& scalesOf, double least, T* blocks) {
+  thread_local std::vector<T> sums;
+  const int count = pattern.row_start[row + 1] - pattern.row_start[row];
+  sums.assign(static_cast<std::size_t>(count), T(0));
+  for (const Corner& corner : assembly.corners()[pattern.copies[row]]) {
+    const TensionProducts& products = tension.products(static_cast<int>(corner.part));
+    for (int J = 0; J < 4; ++J)
+      if (const int slot = slotOf(assembly, pattern, row, corner, J); slot >= 0)
+        sums[slot] += static_cast<T>(least * least * products.of(static_cast<int>(corner.node), J));
+  }
+  for (int k = 0; k < count; ++k) {
+    const T pull = scalesOf(k) * sums[k];
+    for (int i = 0; i < 3; ++i) blocks[BLOCK_SIZE * k + 4 * i] += pull;
+  }
+}
+
 /// Adds to the blocks of a row what its parts make, of which some have one ratio λ/μ and some another. The sums of each
 /// ratio are those that a row all of one ratio has, so that a block and the one opposite to it stay equal.
 template <typename T, typename Scales>
@@ -167,7 +186,7 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
   static const std::vector<double> NO_PRESSURE = {0};
   const std::vector<double>& ratios = averaged ? NO_PRESSURE : assembly.materials().lameRatios();
   const T lame_ratio = static_cast<T>(ratios[0]);
-  const bool one_ratio = ratios.size() == 1;
+  const bool one_ratio = ratios.size() == 1, pulls = factors.tension && factors.tension->acts();
   resizeWithRoom(BLOCK_SIZE * pattern.column.size() + 1, blocks);  // a column is read as four
   parallelFor(pattern.rows(), assembly.threads(), [&](int row) {
     const int begin = pattern.row_start[row], end = pattern.row_start[row + 1];
@@ -184,6 +203,7 @@ void BlockAssembler<T>::assemble(const Assembly& assembly, const BlockPattern& p
       addByRatio(assembly, pattern, row, gradients_, scalesOf, first);
     }
     if (averaged) addPatches(assembly, pattern, row, patch_gradients_, first);
+    if (pulls) addTension(assembly, pattern, row, *factors.tension, scalesOf, least, first);
     if (assembly.consistentMass()) return addConsistentMass(assembly, pattern, row, scale, factors.mass, first);
     const double mass = factors.mass * assembly.masses()[pattern.copies[row]] * scale[row] * scale[row];
     T* diagonal = first + BLOCK_SIZE * (pattern.diagonal[row] - begin);

@@ -5,7 +5,7 @@
 
 #include "incision/base/parallel.h"
 #include "incision/fem/assembly.h"
-#include "lanes.h"
+#include "stress_lanes.h"
 
 namespace incision {
 
@@ -54,7 +54,7 @@ void Assembly::rotateBack() {
 // b_I, and the four sum to zero. With averaged pressure σ holds the mean dilatation θ_a of the part's patch, which is
 // the derivative of Σ_p V_p μ ε:ε + Σ_a V_a ½ λ θ_a², as every θ_p goes into θ_a by its volume.
 void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forces) const {
-  if (patches_) averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
+  if (patches_) averageDilatations(y);
   parallelFor(run_sums_.runs(), threads_, [&](int run) {
     run_sums_.clear(run);
     const int parts = static_cast<int>(mesh_.parts().size()), end = std::min(parts, RunSums::RUN * (run + 1));
@@ -63,15 +63,15 @@ void Assembly::elasticForces(const std::vector<Vec3>& y, std::vector<Vec3>* forc
   run_sums_.gather(forces, threads_);
 }
 
-/// Those of up to LANES parts go into their run's sums.
-void Assembly::addForces(int first, int count, const std::vector<Vec3>& y) const {
-  std::array<int, LANES> at;  // the last one fills up the lanes
+/// That of up to LANES parts with the rotations that they have. With averaged pressure the mean dilatations must be
+/// those at y.
+void Assembly::findStress(int first, int count, const std::vector<Vec3>& y, StressLanes& lanes) const {
   std::array<const TissueElement*, LANES> element;
-  LaneMatrix D, b, R, F, RtF, stress, turned, f;
+  LaneMatrix D, F, RtF;
   Lanes lambda, mu, dilatation = Lanes();
   for (int l = 0; l < LANES; ++l) {
-    at[l] = first + std::min(l, count - 1);
-    const Part& part = mesh_.parts()[at[l]];
+    lanes.at[l] = first + std::min(l, count - 1);
+    const Part& part = mesh_.parts()[lanes.at[l]];
     element[l] = &elements_[part.element];
     const Vec3& y_0 = y[part.copies[0]];
     for (int J = 0; J < 3; ++J)
@@ -79,26 +79,39 @@ void Assembly::addForces(int first, int count, const std::vector<Vec3>& y) const
     const double V = part.fraction * element[l]->volume;
     lambda[l] = V * element[l]->lame.lambda;
     mu[l] = V * element[l]->lame.mu;
-    if (patches_) dilatation[l] = mean_dilatations_[patches_->of(at[l])];
+    if (patches_) dilatation[l] = mean_dilatations_[patches_->of(lanes.at[l])];
   }
-  load([&](int l) -> const Mat3& { return element[l]->b; }, b);
-  load([&](int l) -> const Mat3& { return rotations_[at[l]]; }, R);
-  multiplyByTransposed(D, b, F);
-  multiplyTransposed(R, F, RtF);
+  load([&](int l) -> const Mat3& { return element[l]->b; }, lanes.b);
+  load([&](int l) -> const Mat3& { return rotations_[lanes.at[l]]; }, lanes.R);
+  multiplyByTransposed(D, lanes.b, F);
+  multiplyTransposed(lanes.R, F, RtF);
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) stress[i][j] = mu * (RtF[i][j] + RtF[j][i] - (i == j ? 2.0 : 0.0));
+    for (int j = 0; j < 3; ++j) lanes.stress[i][j] = mu * (RtF[i][j] + RtF[j][i] - (i == j ? 2.0 : 0.0));
   if (!patches_) dilatation = RtF[0][0] + RtF[1][1] + RtF[2][2] - 3.0;
-  for (int i = 0; i < 3; ++i) stress[i][i] += lambda * dilatation;
-  multiply(R, stress, turned);
-  multiply(turned, b, f);
+  for (int i = 0; i < 3; ++i) lanes.stress[i][i] += lambda * dilatation;
+}
+
+/// Those of up to LANES parts go into their run's sums.
+void Assembly::addForces(int first, int count, const std::vector<Vec3>& y) const {
+  StressLanes lanes;
+  findStress(first, count, y, lanes);
+  LaneMatrix turned, f;
+  multiply(lanes.R, lanes.stress, turned);
+  multiply(turned, lanes.b, f);
   for (int l = 0; l < count; ++l) {
-    const std::array<Vec3*, 4> sums = {&run_sums_.at(at[l], 0), &run_sums_.at(at[l], 1), &run_sums_.at(at[l], 2),
-                                       &run_sums_.at(at[l], 3)};
+    const int p = lanes.at[l];
+    const std::array<Vec3*, 4> sums = {&run_sums_.at(p, 0), &run_sums_.at(p, 1), &run_sums_.at(p, 2),
+                                       &run_sums_.at(p, 3)};
     for (int i = 0; i < 3; ++i) {
       for (int J = 0; J < 3; ++J) (*sums[J + 1])[i] += f[i][J][l];
       (*sums[0])[i] -= f[i][0][l] + f[i][1][l] + f[i][2][l];
     }
   }
+}
+
+/// With the rotations that there are.
+void Assembly::averageDilatations(const std::vector<Vec3>& y) const {
+  averageDilatations(y, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
 }
 
 /// θ_p = tr(R_pᵀ F_p) − 3 of every part, then θ_a = Σ V_p θ_p / V_a of every patch.
@@ -136,16 +149,27 @@ double Assembly::elasticEnergy(const std::vector<Vec3>& x) const {
   return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
-Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
-  const Mat3 F = gradientOf(part, x), R = rotationAt(part, F);
-  if (!patches_) return R * corotatedStress(R.transpose() * F, lameOf(part)) * R.transpose();
+/// That of a part in its own frame.
+template <typename Rotation>
+Mat3 Assembly::stressUnder(int part, const std::vector<Vec3>& x, const Rotation& rotationOf) const {
+  const Mat3 F = gradientOf(part, x), RtF = rotationOf(part, F).transpose() * F;
+  if (!patches_) return corotatedStress(RtF, lameOf(part));
   double gained = 0;
   const int a = patches_->of(part);
   for (int p : patches_->parts()[a]) {
     const Mat3 F_p = gradientOf(p, x);
-    gained += volume(p) * (rotationAt(p, F_p).cwiseProduct(F_p).sum() - 3);
+    gained += volume(p) * (rotationOf(p, F_p).cwiseProduct(F_p).sum() - 3);
   }
-  return R * corotatedStress(R.transpose() * F, gained / patchVolume(a), lameOf(part)) * R.transpose();
+  return corotatedStress(RtF, gained / patchVolume(a), lameOf(part));
+}
+
+Mat3 Assembly::unrotatedStress(int part, const std::vector<Vec3>& x) const {
+  return stressUnder(part, x, [&](int p, const Mat3&) -> const Mat3& { return rotations_[p]; });
+}
+
+Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
+  const Mat3 R = rotationAt(part, gradientOf(part, x));
+  return R * stressUnder(part, x, [&](int p, const Mat3& F) { return rotationAt(p, F); }) * R.transpose();
 }
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {

@@ -68,8 +68,8 @@ void save(Archive& archive, const Load& load) {
 /// Results do not depend on how many threads there are.
 template <class Archive>
 void save(Archive& archive, const SolverSettings& solver) {
-  const auto& [time_step, method, tolerance, threads, integrator, iterations] = solver;
-  archive(time_step, method, tolerance, integrator, iterations);
+  const auto& [time_step, method, tolerance, threads, integrator, tension, iterations] = solver;
+  archive(time_step, method, tolerance, integrator, tension, iterations);
 }
 
 template <class Archive>

@@ -36,6 +36,7 @@ ImplicitStep::ImplicitStep(const CutMesh& mesh, const Materials& materials, Mass
       settings_(settings),
       make_solver_(std::move(make_solver)),
       assembly_(mesh, materials, mass, pressure, warping, settings.threads),
+      tension_(assembly_),
       solver_(make_solver_(settings, warping)),
       held_nodes_(heldNodes(mesh.mesh(), conditions.clamps)),
       loads_(mesh, conditions.loads) {}
@@ -48,6 +49,7 @@ void ImplicitStep::topologyChanged(const Motion& motion, const std::vector<int>&
   held_ = heldCopies(mesh_, conditions_.clamps, held_nodes_);
   loads_.topologyChanged();
   rigid_.topologyChanged(piece_, pieces_, held_, assembly_.warping());
+  tension_.topologyChanged(piece_, pieces_, held_);
   norms_known_ = false;
   for (std::vector<Vec3>& differences : memory_.basis)
     for (int c = static_cast<int>(differences.size()); c < mesh_.numCopies(); ++c)
@@ -109,8 +111,8 @@ void ImplicitStep::makeFallback() {
 
 SystemFactors ImplicitStep::factors() const {
   const Materials& materials = assembly_.materials();
-  return {1 + time_step_ * materials.massDamping(),
-          time_step_ * materials.stiffnessDamping() + time_step_ * time_step_};
+  return {1 + time_step_ * materials.massDamping(), time_step_ * materials.stiffnessDamping() + time_step_ * time_step_,
+          &tension_};
 }
 
 void ImplicitStep::setThreads(int threads) {
@@ -124,7 +126,22 @@ const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& mot
   rotate(base_.x);
   findAhead(motion.x);
   findInertia();
+  findTension();
   return ahead_;
+}
+
+void ImplicitStep::findTension() {
+  second_order_ = false;
+  tension_.find(settings_.tension, time_step_, base_.x);
+  lag_.clear();
+}
+
+/// The rotations are at y_.
+void ImplicitStep::findTensionAhead() {
+  second_order_ = true;
+  tension_.find(settings_.tension, time_step_, y_);
+  lag_.resize(tension_.acts() ? y_.size() : 0);
+  for (std::size_t c = 0; c < lag_.size(); ++c) lag_[c] = (y_[c] - base_.x[c]) / time_step_;
 }
 
 /// Finds the rotations where the copies go. What its spin drives a piece apart by is left out: a stiff one resists it.
@@ -165,6 +182,7 @@ void ImplicitStep::beginAhead(double time_step, const Motion& motion) {
   rigid_.firstOfSecondOrder(assembly_, motion, time_step, &base_);
   findAhead(motion.x);
   findInertia();
+  findTensionAhead();
 }
 
 void ImplicitStep::beginSecondOrder(double time_step, const Motion& now, const Motion& before) {
@@ -174,6 +192,7 @@ void ImplicitStep::beginSecondOrder(double time_step, const Motion& now, const M
   rigid_.secondOrder(assembly_, now, before, time_step, &base_);
   findAhead(now.x);
   findInertia();
+  findTensionAhead();
 }
 
 /// Seen from where the copies are at the step's start.
@@ -212,6 +231,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
       motion->x[c] = base_.x[c] + time_step_ * (base_.u[c] + dv_[c]);
     }
   }
+  if (!second_order_ && conditions_.loads.empty()) rigid_.keepSpin(assembly_, couplers != nullptr, motion);
   times_.update = millisecondsSince(updating);
   return true;
 }

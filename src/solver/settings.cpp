@@ -5,7 +5,7 @@
 namespace incision {
 
 SolverSettings parseSolver(const YamlValue& value) {
-  const YamlMap map = value.map({"time_step", "method", "tolerance", "threads", "integrator", "iterations"});
+  const YamlMap map = value.map({"time_step", "method", "tolerance", "threads", "integrator", "iterations", "tension"});
   SolverSettings solver;
   solver.time_step = map.number("time_step", solver.time_step, SolverSettings::TIME_STEP);
   if (const auto method = map.find("method")) {
@@ -18,6 +18,10 @@ SolverSettings parseSolver(const YamlValue& value) {
     solver.integrator = integrator->choice<Integrator>({{"euler", Integrator::EULER}, {"bdf2", Integrator::BDF2}});
   if (const auto iterations = map.find("iterations"))
     solver.iterations = iterations->integer(1, SolverSettings::MAX_ITERATIONS);
+  if (const auto tension = map.find("tension")) {
+    solver.tension = tension->choice<TensionScheme>(
+        {{"auto", TensionScheme::AUTO}, {"implicit", TensionScheme::IMPLICIT}, {"explicit", TensionScheme::EXPLICIT}});
+  }
   return solver;
 }
 

@@ -58,6 +58,7 @@ bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
   if (turnsTooFar()) return false;
   findAhead(*start_x_);
   rotate(base_.x);
+  lag_.clear();
   if (loads_.anyPresses()) externalImpulses();
   return true;
 }
@@ -83,7 +84,7 @@ void ImplicitStep::externalImpulses() {
 
 // The right-hand side less the left at a trial Δv, gathered so that the elements are visited once: as f(y) = f_int + K
 // (y − x̂) is affine in y with slope K,
-//   r = Δt f_ext − M (Δv + α Δt (v̂ + u + Δv)) − Δt f(x̂ + (Δt + β)(u + Δv)).
+//   r = Δt f_ext − M (Δv + α Δt (v̂ + u + Δv)) − Δt f(x̂ + (Δt + β)(u + Δv)) − Δt² K_σ (u + Δv).
 void ImplicitStep::residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
   const double alpha = assembly_.materials().massDamping(), beta = assembly_.materials().stiffnessDamping();
   const int copies = mesh_.numCopies();
@@ -101,6 +102,13 @@ void ImplicitStep::residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) {
     (*r)[c] = external_[c] - time_step_ * (*r)[c] - inertia;
     if (!given_.empty()) (*r)[c] -= given_[c];
   });
+  if (!tension_.acts()) return;
+  parallelFor(copies, settings_.threads, [&](int c) {
+    y_[c] = base_.u[c] + dv[c];
+    if (!lag_.empty()) y_[c] -= lag_[c];
+  });
+  tension_.multiply(y_, &pulls_);
+  parallelFor(copies, settings_.threads, [&](int c) { (*r)[c] -= pulls_[c]; });
 }
 
 }  // namespace incision

@@ -70,6 +70,26 @@ TEST(SecondOrder, IsNearerToTheLimitOfSmallStepsThanEulerAlsoThroughCuts) {
   EXPECT_NEAR(largestDifference(cutBarAfter(Integrator::EULER, 2.5e-3), limit) / euler, 0.25, 0.1);
 }
 
+// Its rotations are those of where the body goes, and tension resists what leads away from there alone.
+TEST(SecondOrder, StaysSoUnderTension) {
+  const auto after = [](TensionScheme tension, double time_step) {
+    Scene scene = withIntegrator(softBar(), Integrator::BDF2);
+    scene.gravity = Vec3(9.81, 0, -9.81);
+    scene.boundary = {clampLeftEnd()};
+    scene.solver.time_step = time_step;
+    scene.solver.tension = tension;
+    scene.solver.tolerance = 1e-9;
+    DeformableBody body = makeBody(scene);
+    while (body.time() < 0.2 - time_step / 2) body.step();
+    return body.nodePositions();
+  };
+  const std::vector<Vec3> limit = after(TensionScheme::EXPLICIT, 1.25e-3);
+  const double coarse = largestDifference(after(TensionScheme::IMPLICIT, 2e-2), limit);
+  const double fine = largestDifference(after(TensionScheme::IMPLICIT, 1e-2), limit);
+  EXPECT_LT(fine, 0.35 * coarse);
+  EXPECT_LT(fine, 1.5 * largestDifference(after(TensionScheme::EXPLICIT, 1e-2), limit));
+}
+
 TEST(SecondOrder, MomentumStaysThroughACutInFlight) {
   Scene scene = withIntegrator(softBar(), Integrator::BDF2);
   scene.gravity = Vec3(0.5, 0, -9.81);

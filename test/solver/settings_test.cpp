@@ -23,7 +23,7 @@ TEST(SolverSettings, ArriveFromTheirSection) {
 TEST(SolverSettings, BadValuesAreRefused) {
   test::expectRefused(
       parseSolver, "solver",
-      {{"5", ": '5' (allowed: a map with time_step, method, tolerance, threads, integrator, iterations)"},
+      {{"5", ": '5' (allowed: a map with time_step, method, tolerance, threads, integrator, iterations, tension)"},
        {"{time_step: 0}", ".time_step"},
        {"{time_step: 2}", ".time_step"},
        {"{tolerance: 1}", ".tolerance"},
@@ -33,7 +33,8 @@ TEST(SolverSettings, BadValuesAreRefused) {
        {"{integrator: fast}", ".integrator: 'fast' (allowed: bdf2, euler)"},
        {"{methd: auto}",
         ".methd: unknown key, did you mean method? (allowed: time_step, method, tolerance, threads, integrator, "
-        "iterations)"}});
+        "iterations, tension)"},
+       {"{tension: none}", ".tension: 'none' (allowed: auto, explicit, implicit)"}});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,21 @@ struct Corner {
 
 /// The least and the most that a principal stress [Pa] can be.
 using PrincipalBounds = Eigen::Vector2d;
+
+/// What ties each pair of a part's corners to one another by its tension, Δt² V_p b_I · S⁺ b_J [kg]. Those of a corner
+/// with all four sum to zero.
+struct TensionProducts {
+  std::array<double, 6> pairs;  ///< 01, 02, 03, 12, 13, 23
+
+  double of(int I, int J) const {
+    constexpr int PLACE[4][4] = {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
+    if (I != J) return pairs[PLACE[I][J]];
+    double sum = 0;
+    for (int other = 0; other < 4; ++other)
+      if (other != I) sum -= pairs[PLACE[I][other]];
+    return sum;
+  }
+};
 
 /// Forces and masses of all parts, over the copies. `topologyChanged` must be called before use and after every cut.
 class Assembly {
@@ -61,6 +77,8 @@ class Assembly {
   /// Σ_p V_p ½ σ:ε [J], with the rotations that belong to `x`.
   double elasticEnergy(const std::vector<Vec3>& x) const;
 
+  /// Stress σ [Pa] in the part's own frame, with the rotation that it has, which must be that at `x`.
+  Mat3 unrotatedStress(int part, const std::vector<Vec3>& x) const;
   /// Cauchy stress R_p σ R_pᵀ [Pa], with the rotation that belongs to `x`.
   Mat3 stress(int part, const std::vector<Vec3>& x) const;
   /// Cauchy stress [Pa] of every part, with the rotations that belong to `x`. `rotate` at these positions then needs
@@ -72,6 +90,14 @@ class Assembly {
   /// What the principal stresses of every part lie between at `x`: much cheaper than they are, close where the strain
   /// is small, and infinite where it is large or not a number.
   void principalBounds(const std::vector<Vec3>& x, std::vector<PrincipalBounds>* bounds) const;
+
+  /// Those of each `wanted` part for Δt² = `factor` [s²], S⁺ being the positive part of its stress with the rotations
+  /// that there are, which must be those at `x`; zero for the others.
+  void tensionProducts(const std::vector<Vec3>& x, double factor, const std::vector<char>& wanted,
+                       std::vector<TensionProducts>* products) const;
+  /// Σ_p of all parts' products times `w`, at every copy.
+  void multiplyTension(const std::vector<TensionProducts>& products, const std::vector<Vec3>& w,
+                       std::vector<Vec3>* result) const;
 
   const CutMesh& mesh() const { return mesh_; }
   const Materials& materials() const { return materials_; }
@@ -107,6 +133,8 @@ class Assembly {
   };
 
   Mat3 gradientOf(int part, const std::vector<Vec3>& y) const;
+  struct StressLanes;
+  void findStress(int first, int count, const std::vector<Vec3>& y, StressLanes& lanes) const;
   void addForces(int first, int count, const std::vector<Vec3>& y) const;
   Mat3 rotationAt(int part, const Mat3& F) const;
   int groups() const { return (static_cast<int>(rotations_.size()) + LANES - 1) / LANES; }
@@ -117,6 +145,9 @@ class Assembly {
   template <typename Wanted>
   void stressesOfGroups(const std::vector<Vec3>& x, const Wanted& isWanted, std::vector<Mat3>* stress) const;
   void addMeanDilatations(std::vector<PrincipalBounds>* bounds) const;
+  void averageDilatations(const std::vector<Vec3>& y) const;
+  template <typename Rotation>
+  Mat3 stressUnder(int part, const std::vector<Vec3>& x, const Rotation& rotationOf) const;
   template <typename Rotation>
   void averageDilatations(const std::vector<Vec3>& y, const Rotation& rotationOf) const;
   /// σ of a part in its unrotated frame, by λ and μ. With averaged pressure it takes the mean dilatation that was found
@@ -144,7 +175,7 @@ class Assembly {
   Lists<Corner> corners_;
   mutable std::vector<Mat3> found_rotations_;    // by stresses, at found_at_; else those before the last `rotate`
   mutable std::vector<Vec3> found_at_;           // [m]; empty: nowhere
-  mutable RunSums run_sums_;                     // scratch of elasticForces
+  mutable RunSums run_sums_;                     // scratch of elasticForces and multiplyTension
   mutable std::vector<char> found_;              // whether those of each group of LANES parts were
   mutable std::vector<Gradients> part_momenta_;  // on all four; scratch of multiplyMass with consistent mass
   mutable std::vector<double> dilatations_, mean_dilatations_;  // of parts and patches; scratch of averaged pressure

@@ -4,21 +4,24 @@
 #include <vector>
 
 #include "incision/fem/block_pattern.h"
+#include "incision/fem/tension.h"
 
 namespace incision {
 
-/// The factors in A = mass M + stiffness K.
+/// The factors in A = mass M + stiffness K, to which tension may add what it has found.
 struct SystemFactors {
   double mass, stiffness;
+  const Tension* tension = nullptr;
 };
 
-/// trace(A_cc)/3 of a copy. Turning parts does not change it, so it holds until the topology changes.
+/// trace(A_cc)/3 of a copy, but for what tension adds. Turning parts does not change it, so it holds until the topology
+/// changes.
 double diagonalOf(const Assembly& assembly, const SystemFactors& factors, int copy);
 
 /// Entries of a block, column by column.
 inline constexpr int BLOCK_SIZE = 9;
 
-/// Gathers A = mass M + stiffness K row by row, so threads never write to the same place. T is float or double.
+/// Gathers A row by row, so threads never write to the same place. T is float or double.
 template <typename T>
 class BlockAssembler {
  public:

@@ -7,6 +7,7 @@
 #include "incision/base/memory_limits.h"
 #include "incision/fem/boundary.h"
 #include "incision/fem/loads.h"
+#include "incision/fem/tension.h"
 #include "incision/solver/couplers.h"
 #include "incision/solver/linear_solver.h"
 #include "incision/solver/newton.h"
@@ -41,8 +42,9 @@ enum class StepDemand {
 };
 
 /// One linearly implicit step at a time, from the base x̂, v̂, u that the rigid motion of free pieces leaves:
-///   (M + Δt C + Δt² K) Δv = Δt (f_ext − α M (v̂ + u) − β K u − f_int(x̂) − Δt K u),  C = α M + β K,
+///   (M + Δt C + Δt² (K + K_σ)) Δv = Δt (f_ext − α M (v̂ + u) − β K u − f_int(x̂) − Δt (K + K_σ) u),  C = α M + β K,
 ///   v ← v̂ + u + Δv,  x ← x̂ + Δt (u + Δv).
+/// In a step of second order, whose rotations are found ahead, K_σ resists what leads away from there.
 class ImplicitStep : private StepEquations {
  public:
   /// `make_solver` makes the linear solvers; left out, they are those that the settings ask for.
@@ -105,6 +107,8 @@ class ImplicitStep : private StepEquations {
   bool advance(double time, Motion* motion, Couplers* couplers = nullptr, StepDemand demand = StepDemand::ANY);
 
   const Assembly& assembly() const { return assembly_; }
+  /// As it was found for the last step.
+  const Tension& tension() const { return tension_; }
   const SolveStats& stats() const { return newton_.stats(); }
   const StepTimes& times() const { return times_; }
   /// How far the point of each spring has gone in the last step [m].
@@ -139,6 +143,8 @@ class ImplicitStep : private StepEquations {
   bool fallBack(const std::vector<Spring>& springs) override;
 
   void findAhead(const std::vector<Vec3>& start);
+  void findTension();
+  void findTensionAhead();
   void findInertia();
   void rotateAhead(const Motion& motion);
   void externalImpulses();
@@ -165,6 +171,7 @@ class ImplicitStep : private StepEquations {
   SolverSettings settings_;
   MakeLinearSolver make_solver_;
   Assembly assembly_;
+  Tension tension_;
   std::unique_ptr<LinearSolver> solver_;
   std::unique_ptr<LinearSolver> fallback_;  // direct, from the first solve that did not converge on
   std::vector<int> piece_;                  // of each copy
@@ -194,9 +201,10 @@ class ImplicitStep : private StepEquations {
   const std::vector<Vec3>* start_x_ = nullptr;
   std::vector<Vec3> off_;    // momentum of each piece [N s]
   std::vector<Vec3> given_;  // momentum that the base has got from couplers, by copy [N s]; empty: none
-  std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, levers_;
+  std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, pulls_, levers_;
+  std::vector<Vec3> lag_;  // how fast x̂ would get to where the rotations are, by copy [m/s]; empty: it is there
   std::vector<Wrench> felt_, clamp_wrenches_;
-  bool wants_clamp_wrenches_ = false;
+  bool wants_clamp_wrenches_ = false, second_order_ = false;
   StepTimes times_;
 };
 

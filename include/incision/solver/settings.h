@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "incision/base/range.h"
+#include "incision/fem/tension_scheme.h"
 
 namespace incision {
 
@@ -24,6 +25,7 @@ struct SolverSettings {
   double tolerance = 1e-6;  ///< relative residual of iterative solves, in TOLERANCE
   int threads = 2;          ///< from 1 to MAX_THREADS
   Integrator integrator = Integrator::EULER;
+  TensionScheme tension = TensionScheme::AUTO;
   /// With so many iterations, from 1 to MAX_ITERATIONS, a step ends with what it has; none: it goes on to the
   /// tolerance.
   std::optional<int> iterations = {};
