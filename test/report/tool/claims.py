@@ -64,7 +64,7 @@ class Knife(unittest.TestCase):
 
     def test_a_cylinder_of_cucumber_starts_as_was_fitted(self):
         time, force = CUCUMBER_FIRST
-        self.assertLess(abs(force_at(self.cucumber['runs'][0], time) / force - 1), 0.1)
+        self.assertLess(abs(force_at(self.cucumber['runs'][0], time) / force - 1), 0.05)
 
     def test_the_cylinder_then_stays_within_the_published_force(self):
         least, mean, most = cucumber_plateau(self.cucumber['runs'][0])
@@ -113,7 +113,7 @@ class Soft(unittest.TestCase):
         for of in self.materials:
             wanted = of['steady'] * of['reached'] * of['young_modulus'] * thickness
             found = entering(of['fitted'])
-            self.assertLess(abs(found['steady'] / wanted - 1), DATA['published']['cell'] / 8 / thickness * 2.5)
+            self.assertLess(abs(found['steady'] / wanted - 1), 0.05)
             self.assertLess(found['steady'], found['first'])
 
     def test_a_finer_mesh_gives_way_farther(self):

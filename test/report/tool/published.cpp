@@ -16,8 +16,8 @@ constexpr double START = 0.06, STOP = 5e-3;   // [m]
 constexpr double SPEED = 0.05;                // of most runs [m/s]
 constexpr double POTATO = 0.048;              // sides of the prism [m]; chosen: those of the repository's grid
 constexpr double POTATO_FORCE = 50 / POTATO;  // [N/m]; fitted to the plateau
-constexpr double CUCUMBER = 0.036;            // diameter, and length [m]; fitted to the force at 0.6 s
-constexpr double CUCUMBER_PLATEAU = 57;       // [N]; fitted: the force where the knife is half-way down
+constexpr double CUCUMBER = 0.037;            // diameter, and length [m]; fitted to the force at 0.6 s
+constexpr double CUCUMBER_PLATEAU = 57.5;     // [N]; fitted: the force where the knife is half-way down
 constexpr double LARGE = 0.05;                // diameter that the sphere's nodes suggest [m]
 constexpr double KNIFE_STRIDE = 5e-4;         // [m]
 
