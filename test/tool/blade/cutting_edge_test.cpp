@@ -130,16 +130,17 @@ TEST(CuttingEdge, WithoutACuttingForceItIsFree) {
 struct Stabbed {
   static constexpr double THICKNESS = 0.004;  // [m]
 
-  explicit Stabbed(bool with_shape, int cells = 3)
-      : body(scene(with_shape, cells), loadMesh(scene(with_shape, cells)),
+  explicit Stabbed(bool with_shape, int cells = 3, double onset = 0)
+      : body(scene(with_shape, cells, onset), loadMesh(scene(with_shape, cells)),
              with_shape ? description() : Descriptions()) {
     body.placeTool(poseAt(x, PUSHED_AT, 0.047));
   }
 
-  static Scene scene(bool with_shape, int cells) {
+  static Scene scene(bool with_shape, int cells, double onset = 0) {
     Scene scene = blockAndEdge(cells, FORCE_OF_TIP);
     scene.body.material.stiffness_damping = 0.02;
     bladeOf(&scene.tools[0]).edge = Edge{Vec3(-0.3, 0, 0), Vec3(0, 0, 0)};
+    bladeOf(&scene.tools[0]).cutting_onset = onset;
     scene.tools[0].friction = 0;
     if (with_shape) scene.tools[0].description = "blade.urdf";
     return scene;
@@ -156,13 +157,14 @@ struct Stabbed {
       x += std::clamp(end - x, -5e-4, 5e-4);
       body.guideTool({poseAt(x, PUSHED_AT, 0.047)});
       report = body.step().tools[0];
+      most = std::max(most, report.force.norm());
     }
     return report.force;
   }
 
   static constexpr double FORCE_OF_TIP = 500;  // [N/m]
   DeformableBody body;
-  double x = -0.01;
+  double x = -0.01, most = 0;
 };
 
 TEST(CuttingEdge, PushedAlongItselfAdvancesAgainstTheCuttingForceTimesTheThicknessOfItsTip) {
@@ -178,6 +180,16 @@ TEST(CuttingEdge, PushedAlongItselfAdvancesAgainstTheCuttingForceTimesTheThickne
     stabbed.to(0.085);  // the tissue has sprung back
     EXPECT_LT(std::abs(stabbed.to(0.08).x()), 1e-9 * force) << cells;
   }
+}
+
+TEST(CuttingEdge, PushedAlongItselfTakesTheOnsetOnce) {
+  const double onset = 1000, force = Stabbed::FORCE_OF_TIP * Stabbed::THICKNESS;
+  Stabbed stabbed(true, 3, onset);
+  stabbed.to(0.05);
+  const double first = force + onset * Stabbed::THICKNESS;
+  EXPECT_GE(stabbed.most, first);
+  EXPECT_LT(stabbed.most, 1.1 * first);  // more by what the last step has brought
+  for (const double x : {0.07, 0.09}) EXPECT_NEAR(stabbed.to(x).x(), -force, 0.01 * force) << x;
 }
 
 TEST(CuttingEdge, PushedAlongItselfWithoutAShapeItIsFree) {

@@ -52,6 +52,17 @@ TEST(CuttingOnset, UntilItIsReachedTheBodyIsIndentedUncut) {
   EXPECT_EQ(pushed.body.counts().cracks, 0);
 }
 
+TEST(CuttingOnset, AnEdgeThatIsWithdrawnBeforeLeavesNoTrace) {
+  Pushed pushed(toughSkin(1e9));
+  const BodyCounts counts = pushed.body.counts();
+  pushed.to(0.008, SPEED);
+  pushed.to(-0.02, SPEED);
+  EXPECT_TRUE(pushed.body.takeReports().cuts.empty());
+  EXPECT_EQ(pushed.body.counts().copies, counts.copies);
+  EXPECT_FALSE(pushed.report.touching);
+  EXPECT_EQ(pushed.report.force, Vec3::Zero());
+}
+
 TEST(CuttingOnset, IsReachedAtTheDepthAtWhichTheForceOnTheUncutBodyReachesIt) {
   for (const int cells : test::SANITIZED ? std::vector<int>{3} : std::vector<int>{3, 5}) {
     Pushed uncut(toughSkin(1e9, cells)), pushed(toughSkin(ONSET, cells));
