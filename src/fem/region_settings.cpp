@@ -19,8 +19,8 @@ std::optional<double> strength(const YamlMap& map, const std::string& key) {
 }  // namespace
 
 RegionSettings parseRegion(const YamlValue& value) {
-  const YamlMap map = value.map(
-      {"group", "box", "material", "tensile_strength", "compressive_strength", "fracture_energy", "cutting_force"});
+  const YamlMap map = value.map({"group", "box", "material", "tensile_strength", "compressive_strength",
+                                 "fracture_energy", "cutting_force", "cutting_viscosity", "cutting_onset"});
   RegionSettings region;
   region.place = parsePlace(map);
   if (const auto given = map.find("material")) {
@@ -33,6 +33,8 @@ RegionSettings parseRegion(const YamlValue& value) {
   region.compressive_strength = strength(map, "compressive_strength");
   region.fracture_energy = number(map, "fracture_energy", POSITIVE);
   region.cutting_force = number(map, "cutting_force", NOT_NEGATIVE);
+  region.cutting_viscosity = number(map, "cutting_viscosity", NOT_NEGATIVE);
+  region.cutting_onset = number(map, "cutting_onset", NOT_NEGATIVE);
   return region;
 }
 

@@ -28,9 +28,9 @@ void save(Archive& archive, const Material& material) {
 template <class Archive>
 void save(Archive& archive, const RegionSettings& region) {
   const auto& [place, young_modulus, poisson_ratio, density, tensile_strength, compressive_strength, fracture_energy,
-               cutting_force] = region;
+               cutting_force, cutting_viscosity, cutting_onset] = region;
   archive(place, young_modulus, poisson_ratio, density, tensile_strength, compressive_strength, fracture_energy,
-          cutting_force);
+          cutting_force, cutting_viscosity, cutting_onset);
 }
 
 /// The mesh counts itself.
@@ -95,14 +95,14 @@ void save(Archive& archive, const ContactSettings& contact) {
 
 template <class Archive>
 void save(Archive& archive, const BladeSettings& blade) {
-  const auto& [edge, cutting_force, progressive] = blade;
-  archive(edge, cutting_force, progressive);
+  const auto& [edge, cutting_force, cutting_viscosity, cutting_onset, progressive] = blade;
+  archive(edge, cutting_force, cutting_viscosity, cutting_onset, progressive);
 }
 
 template <class Archive>
 void save(Archive& archive, const ScissorsSettings& scissors) {
-  const auto& [cutting_force, progressive] = scissors;
-  archive(cutting_force, progressive);
+  const auto& [cutting_force, cutting_viscosity, cutting_onset, progressive] = scissors;
+  archive(cutting_force, cutting_viscosity, cutting_onset, progressive);
 }
 
 template <class Archive>

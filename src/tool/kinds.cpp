@@ -18,10 +18,20 @@ KindSettings parsed(const YamlMap& tool) {
 
 const std::vector<ToolKind>& toolKinds() {
   static const std::vector<ToolKind> kinds = {
-      {"blade", {"edge", "cutting_force", "progressive"}, false, false, parsed<parseBlade>, makeBlade},
+      {"blade",
+       {"edge", "cutting_force", "cutting_viscosity", "cutting_onset", "progressive"},
+       false,
+       false,
+       parsed<parseBlade>,
+       makeBlade},
       {"grasper", {"closed", "grip"}, true, true, parsed<parseGrasper>, makeGrasper},
       {"probe", {}, false, true, [](const YamlMap&) { return KindSettings(ProbeSettings()); }, makeProbe},
-      {"scissors", {"cutting_force", "progressive"}, true, true, parsed<parseScissors>, makeScissors},
+      {"scissors",
+       {"cutting_force", "cutting_viscosity", "cutting_onset", "progressive"},
+       true,
+       true,
+       parsed<parseScissors>,
+       makeScissors},
   };
   static_assert(std::variant_size_v<KindSettings> == 4, "each alternative has a line above");
   return kinds;

@@ -103,6 +103,14 @@ Case guidedBlade() {
   return made;
 }
 
+/// The same blade, against what grows with its speed and takes more to begin.
+Case viscousBlade() {
+  Case made = guidedBlade();
+  bladeOf(&made.scene.tools[0]).cutting_viscosity = 10;
+  bladeOf(&made.scene.tools[0]).cutting_onset = 100;
+  return made;
+}
+
 /// Forceps that close on a slab, carry it up faster than they can hold it, and open.
 Case graspedSlab(Method method) {
   Case made{slabAndForceps(0.05, true)};
@@ -153,6 +161,7 @@ const std::map<std::string, std::function<Case()>> CASES = {
     {"BlockDirect", [] { return rubbingBlock(Method::DIRECT); }},
     {"BlockIterative", [] { return rubbingBlock(Method::ITERATIVE); }},
     {"BladeGuided", guidedBlade},
+    {"BladeViscous", viscousBlade},
     {"BarLed", ledBar},
     {"SlabGraspedDirect", [] { return graspedSlab(Method::DIRECT); }},
     {"SlabGraspedIterative", [] { return graspedSlab(Method::ITERATIVE); }},

@@ -53,6 +53,8 @@ Scene turningBlade() {
   Scene scene = plateAndBlade();
   scene.gravity = Vec3(0, 0, -0.1);
   bladeOf(&scene.tools[0]).cutting_force = 200;
+  bladeOf(&scene.tools[0]).cutting_viscosity = 50;
+  bladeOf(&scene.tools[0]).cutting_onset = 20;
   scene.solver.time_step = 0.02;
   return scene;
 }

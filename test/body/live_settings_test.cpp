@@ -29,6 +29,8 @@ Scene bladedBar() {
   ToolSettings tool = bladeTool(Edge{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3)});
   tool.name = "blade";
   bladeOf(&tool).cutting_force = 20;
+  bladeOf(&tool).cutting_viscosity = 8;
+  bladeOf(&tool).cutting_onset = 10;
   scene.tools = {tool};
   return scene;
 }
@@ -65,6 +67,8 @@ const std::map<std::string, Change> CHANGES = {
       [](Scene* scene) {
         scene->body.regions[0].cutting_force = 60;
         bladeOf(&scene->tools[0]).cutting_force = 40;
+        bladeOf(&scene->tools[0]).cutting_viscosity = 16;
+        bladeOf(&scene->tools[0]).cutting_onset = 20;
       }}},
 };
 

@@ -14,7 +14,8 @@ TEST(ToolSettings, ArriveFromTheirSection) {
   const std::vector<ToolSettings> tools = parseTools(test::section(
       "tools",
       "{scalpel: {type: blade, description: a.urdf, link: blade, edge: [[0, 0, 0], [0, 0, 0.1]], poses: [[0.5, 1, 2, "
-      "3, 0, 0, 0, 1]], frame: knife, max_step: 0.02, timeout: .inf, cutting_force: 40, friction: 0.1, progressive: "
+      "3, 0, 0, 0, 1]], frame: knife, max_step: 0.02, timeout: .inf, cutting_force: 40, cutting_viscosity: 2, "
+      "cutting_onset: 30, friction: 0.1, progressive: "
       "false}, hook: {type: probe, description: b.urdf, link: tip}}"));
   ASSERT_EQ(tools.size(), 2u);
   EXPECT_EQ(tools[0].name, "hook");
@@ -30,6 +31,8 @@ TEST(ToolSettings, ArriveFromTheirSection) {
   EXPECT_EQ(tool.max_step, 0.02);
   EXPECT_TRUE(std::isinf(tool.timeout));
   EXPECT_EQ(bladeOf(&tool).cutting_force, 40);
+  EXPECT_EQ(bladeOf(&tool).cutting_viscosity, 2);
+  EXPECT_EQ(bladeOf(&tool).cutting_onset, 30);
   EXPECT_EQ(tool.friction, 0.1);
   EXPECT_FALSE(bladeOf(&tool).progressive);
 }
@@ -46,6 +49,18 @@ TEST(ToolSettings, OfAGrasperSayWhenAndHowItHolds) {
   ASSERT_TRUE(tools[0].jaw);
   EXPECT_EQ(tools[0].jaw->joint, "jaw");
   EXPECT_EQ(tools[0].jaw->angles.size(), 2u);
+}
+
+TEST(ToolSettings, OfScissorsSayWhatCuttingTakes) {
+  const std::vector<ToolSettings> tools = parseTools(test::section(
+      "tools",
+      "{s: {type: scissors, description: a.urdf, link: palm, joint: jaw, cutting_force: 40, cutting_viscosity: 2, "
+      "cutting_onset: 30}}"));
+  ASSERT_EQ(tools.size(), 1u);
+  const auto& scissors = std::get<ScissorsSettings>(tools[0].kind);
+  EXPECT_EQ(scissors.cutting_force, 40);
+  EXPECT_EQ(scissors.cutting_viscosity, 2);
+  EXPECT_EQ(scissors.cutting_onset, 30);
 }
 
 TEST(ToolSettings, BadValuesAreRefused) {
@@ -78,6 +93,9 @@ TEST(ToolSettings, BadValuesAreRefused) {
        {knife("timeout: -1"), ".knife.timeout"},
        {knife("cutting_force: -1"), ".knife.cutting_force"},
        {knife("cutting_force: .inf"), ".knife.cutting_force"},
+       {knife("cutting_viscosity: -1"), ".knife.cutting_viscosity"},
+       {knife("cutting_onset: -1"), ".knife.cutting_onset"},
+       {knife("cutting_onset: .inf"), ".knife.cutting_onset"},
        {knife("friction: 11"), ".knife.friction"},
        {knife("progressive: 0.5"), ".knife.progressive"}});
 }

@@ -17,7 +17,9 @@ struct RegionSettings {
   std::optional<double> tensile_strength;      ///< [Pa], > 0
   std::optional<double> compressive_strength;  ///< [Pa], > 0
   std::optional<double> fracture_energy;       ///< [J/m²], > 0
-  std::optional<double> cutting_force;         ///< of any blade in it [N/m], ≥ 0
+  std::optional<double> cutting_force;         ///< of any blade in it [N/m], ≥ 0,
+  std::optional<double> cutting_viscosity;     ///< likewise [N s/m²], ≥ 0
+  std::optional<double> cutting_onset;         ///< likewise [N/m], ≥ 0
 };
 
 /// An entry of the list `body.regions`. Throws InputError.

@@ -9,11 +9,15 @@ namespace {
 
 const BladeSettings& ofBlade(const ToolSettings& settings) { return std::get<BladeSettings>(settings.kind); }
 
+CuttingResistance resistanceOf(const BladeSettings& blade) {
+  return {blade.cutting_force, blade.cutting_viscosity, blade.cutting_onset};
+}
+
 }  // namespace
 
 Blade::Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
              const ToolSurroundings& surroundings, Touching touching)
-    : CuttingTool({{0, edge, fronts, ofBlade(settings).cutting_force, settings.friction}},
+    : CuttingTool({{0, edge, fronts, resistanceOf(ofBlade(settings)), settings.friction}},
                   ofBlade(settings).progressive, surroundings, settings, std::move(touching)) {}
 
 ToolForm Blade::form() const {

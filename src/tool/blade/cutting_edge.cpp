@@ -11,8 +11,6 @@ namespace {
 /// the length F_c/E by which the tissue itself gives way. More costs iterations.
 constexpr double EDGE_STIFFNESS = 20;
 
-/// Stations an element: what the force is off where the edge comes out of the tissue is half a station.
-constexpr double STATIONS_PER_ELEMENT = 8;
 constexpr double MAX_STATIONS = 256;
 
 /// What resists an edge in tissue is looked for this far before it, in elements: at the edge itself it would be what it
@@ -22,22 +20,17 @@ constexpr double LEAD = 0.2;
 /// An edge that moves across itself by less than this in a step, in elements, goes in no direction: rounding.
 constexpr double STILL = 1e-9;
 
-/// An edge that has gone back from where it cut by this, in elements, and is in tissue still, cuts in a new direction.
-constexpr double TURNED = 0.25;
-
 Vec3 atStation(const Edge& edge, double share) { return edge[0] + share * (edge[1] - edge[0]); }
 
 double stationCount(const Edge& edge, double size) {
   return std::clamp(std::ceil(STATIONS_PER_ELEMENT * (edge[1] - edge[0]).norm() / size), 1.0, MAX_STATIONS);
 }
 
-Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vector.dot(direction) * direction; }
-
 }  // namespace
 
 CuttingEdge::CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& ties, const Stroke& stroke,
                          NearParts* near, const Materials& materials, const CutMesh& mesh)
-    : cutting_forces_(materials.regions().values(edge.cutting_force, &RegionSettings::cutting_force)),
+    : resistances_(inRegions(edge.resistance, materials.regions())),
       friction_(edge.friction),
       group_(edge.group),
       edge_(edge.edge),
@@ -51,6 +44,10 @@ CuttingEdge::CuttingEdge(const EdgeOfTool& edge, ToolInStep* tool, const Ties& t
       share_((edge_[1] - edge_[0]).norm() / stationCount(edge_, size_)),
       fronts_(edge.fronts) {
   memory_.resize(static_cast<std::size_t>(stationCount(edge_, size_)) + 2);
+  for (const CuttingResistance& in_region : resistances_) {
+    resists_ = resists_ || in_region.force > 0 || in_region.viscosity > 0 || in_region.onset > 0;
+    has_onset_ = has_onset_ || in_region.onset > 0;
+  }
 }
 
 void CuttingEdge::leave() {
@@ -65,7 +62,7 @@ void CuttingEdge::scaleCuttingForce(double factor) {
 }
 
 bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
-  in_tissue_ = false;
+  in_tissue_ = presses_ = false;
   depth_ = 0;
   if (!tool_->in_place || !tool_->active) return false;
   const RigidMotion& motion = tool_->groups[static_cast<std::size_t>(group_)];
@@ -88,12 +85,14 @@ bool CuttingEdge::begin(const StepStart& start, std::vector<Spring>* springs) {
     const Vec3 point = atStation(from, at);
     stations_[i].drift = atStation(to, at) - point;
     if (stations_[i].front > 0) beginStation(point, start, &stations_[i]);
-    const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0);
-    resists = resists || stations_[i].tissue.count > 0 || forgets;
+    const bool forgets = !memory_[i].slip.isZero(0) || !memory_[i].forward.isZero(0) || memory_[i].entered;
+    presses_ = presses_ || stations_[i].tissue.count > 0;
+    resists = resists || forgets;
   }
+  enterTogether();
   for (const Station& station : stations_)
     if (station.tissue.count > 0) springs->push_back(station.tissue);
-  return resists && force_factor_ > 0 && *std::max_element(cutting_forces_.begin(), cutting_forces_.end()) > 0;
+  return (resists || presses_) && force_factor_ > 0 && resists_;
 }
 
 void CuttingEdge::findNear(const Edge& edge, const StepStart& start) {
@@ -123,7 +122,7 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   std::optional<Found> ahead;
   if (here || has_cut) ahead = findTissue(point + LEAD * size_ * forward, swept, start.mesh);
   if (!ahead && !here) {
-    station->start = StationMemory();
+    station->start = {Vec3::Zero(), Vec3::Zero(), station->start.entered && isInElement(point)};
     return;
   }
   // Before what another edge has parted already there is still what it is leaving.
@@ -131,7 +130,22 @@ void CuttingEdge::beginStation(const Vec3& point, const StepStart& start, Statio
   const Found& found = leaves ? *here : *ahead;
   station->tissue = found.tissue;
   station->stiffest = EDGE_STIFFNESS * materials_.youngModulus(found.element) * station->front;
-  station->most = force_factor_ * cutting_forces_[materials_.regions().of(found.element)] * station->front;
+  takeResistance(found.element, start.span.time_step, station);
+}
+
+/// What it takes to cut in an element.
+void CuttingEdge::takeResistance(int element, double time_step, Station* station) const {
+  const CuttingResistance& resistance = resistances_[materials_.regions().of(element)];
+  station->most = force_factor_ * resistance.force * station->front;
+  station->onset = force_factor_ * resistance.onset * station->front;
+  station->viscous = force_factor_ * resistance.viscosity * station->front / time_step;
+}
+
+/// Whether a part is where a point is, or has come away from there: its element as the part sees it, taken whole.
+bool CuttingEdge::isInElement(const Vec3& point) const {
+  return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
+    return near.frame.invertible() && near.frame.toElement(point).minCoeff() >= -OUTSIDE;
+  });
 }
 
 /// Whether the point of a part lies in a cut along which the edge goes.
@@ -170,76 +184,6 @@ std::optional<CuttingEdge::Found> CuttingEdge::findTissue(const Vec3& point, con
     return found;
   }
   return std::nullopt;
-}
-
-/// What of a station's slip cuts: that across the edge; of a tip, which pushes outward alone, that along it.
-Vec3 CuttingEdge::cutting(const Station& station, const Vec3& slip) const {
-  return station.outward == 0 ? rejected(slip, direction_) : Vec3(slip.dot(direction_) * direction_);
-}
-
-CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, const Vec3& moved) const {
-  const Vec3 slip = station.start.slip + station.drift - moved;
-  Trial trial;
-  trial.cuts = cutting(station, slip);
-  trial.beside = slip - trial.cuts;
-  trial.cuts_stiffness = trial.beside_stiffness = station.stiffest;
-  const double cuts = trial.cuts.norm(), beside = trial.beside.norm();
-  trial.yields = station.stiffest * cuts > station.most;
-  if (trial.yields) trial.cuts_stiffness = station.most / cuts;
-  if (station.is_free) trial.cuts_stiffness = 0;
-  trial.slides = station.stiffest * beside > station.most_along;
-  if (trial.slides) trial.beside_stiffness = station.most_along / beside;
-  return trial;
-}
-
-/// Friction along the edge may be as large as the force across it allows. What has been cut does not push back.
-void CuttingEdge::takeBounds(Span<const Vec3> moved, double share) {
-  int i = 0;
-  for (Station& station : stations_) {
-    if (station.tissue.count == 0) continue;
-    station.is_free = false;
-    const Trial trial = tryAt(station, moved[i++]);
-    const Vec3 forward = station.outward == 0 ? station.start.forward : Vec3(station.outward * direction_);
-    station.is_free = trial.cuts.dot(forward) < 0;
-    // The stations of the edge take what is across a tip.
-    const bool drags = !station.is_free && station.outward == 0;
-    const double most = drags ? friction_ * trial.cuts_stiffness * trial.cuts.norm() : 0;
-    station.most_along += share * (most - station.most_along);
-  }
-}
-
-/// The force of what cuts descends from ½ k a² that goes on evenly from the cutting force on, and so does the friction
-/// beside it from its bound on.
-void CuttingEdge::update(Span<const Vec3> moved, Span<Spring> springs) {
-  int i = 0;
-  for (const Station& station : stations_) {
-    if (station.tissue.count == 0) continue;
-    const Trial trial = tryAt(station, moved[i]);
-    const Mat3 lengthwise = direction_ * direction_.transpose(), crosswise = Mat3::Identity() - lengthwise;
-    Mat3 cuts = station.outward == 0 ? crosswise : lengthwise;
-    Mat3 beside = station.outward == 0 ? lengthwise : crosswise;
-    if (trial.yields) cuts -= trial.cuts * trial.cuts.transpose() / trial.cuts.squaredNorm();
-    if (trial.slides) beside -= trial.beside * trial.beside.transpose() / trial.beside.squaredNorm();
-    springs[i].set(trial.cuts_stiffness * cuts + trial.beside_stiffness * beside,
-                   trial.cuts_stiffness * trial.cuts + trial.beside_stiffness * trial.beside, moved[i]);
-    ++i;
-  }
-}
-
-void CuttingEdge::accept(const StepSpan& span, Span<const Vec3> moved, const Motion& /*end*/, const Wrench& felt) {
-  tool_->feel(group_, span, felt);
-  int next = 0;
-  for (std::size_t i = 0; i < stations_.size(); ++i) {
-    StationMemory& station = memory_[i];
-    station = stations_[i].start;
-    if (stations_[i].tissue.count == 0) continue;
-    const Trial trial = tryAt(stations_[i], moved[next++]);
-    station.slip = (trial.cuts_stiffness * trial.cuts + trial.beside_stiffness * trial.beside) / stations_[i].stiffest;
-    if (trial.yields && !stations_[i].is_free) station.forward = trial.cuts.normalized();
-    if (!stations_[i].is_free) continue;
-    station.slip = trial.cuts;
-    if (trial.cuts.norm() >= TURNED * size_) station = StationMemory();
-  }
 }
 
 }  // namespace incision

@@ -47,11 +47,15 @@ void Stroke::start(const std::vector<Edge>& edges, const std::vector<Vec3>& x) {
   start_x_ = x;
 }
 
+void Stroke::stand() {
+  if (!memory_.stands.empty()) return;
+  for (const Edge& from : start_edges_) memory_.stands.push_back({from, start_x_});
+}
+
 Insertion Stroke::sweep(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, const Materials& materials,
                         MeshDoor* door, Ties* ties) {
   const CutMesh& mesh = door->mesh();
-  if (memory_.stands.empty())
-    for (const Edge& from : start_edges_) memory_.stands.push_back({from, start_x_});
+  stand();
   Stand& last = memory_.stands[edge];
   for (int c = static_cast<int>(last.x.size()); c < mesh.numCopies(); ++c) last.x.push_back(last.x[mesh.copyParent(c)]);
   if (!record(last, to, x, mesh)) return {};

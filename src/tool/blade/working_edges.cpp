@@ -12,6 +12,9 @@ namespace {
 /// A sweep is cut into pieces that turn by no more than this [rad], so that each is nearly flat.
 constexpr double MAX_SWEEP_TURN = 0.1;
 
+/// Edges whose ends are this near, in elements, are at one place, but for rounding.
+constexpr double AT_ONE_PLACE = 1e-6;
+
 using Clock = std::chrono::steady_clock;
 
 /// Where the copies stood when this share [s] of the step's time was still to go, of which they are at the end [m].
@@ -57,6 +60,9 @@ std::optional<CutResult> WorkingEdges::act(const std::vector<std::vector<Pose>>&
   const auto wayOf = [&](std::size_t i) -> const std::vector<Pose>& {
     return ways[static_cast<std::size_t>(edges_[i].group)];
   };
+  held_back_.clear();
+  for (std::size_t i = 0; i < edges_.size(); ++i)
+    held_back_.push_back(holdsBack(i, at(i, wayOf(i).back()), motion.x, door->mesh()));
   const std::size_t legs = wayOf(0).size() - 1;
   if (legs == 0)
     for (std::size_t i = 0; i < edges_.size(); ++i) sweep(i, at(i, wayOf(i)[0]), motion.x, door);
@@ -84,8 +90,26 @@ std::optional<CutResult> WorkingEdges::act(const std::vector<std::vector<Pose>>&
   return interrupt();
 }
 
+/// Whether an edge that is now at `to` presses on what it has not begun to cut, or has come into it in this step: then
+/// the step cuts nothing, and once it begins to cut it has swept all since it came. Where it met nothing although it is
+/// in an element, as in the gap of an old cut, it lags one step at most.
+bool WorkingEdges::holdsBack(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const {
+  const CuttingEdge& resistance = resistances_[edge];
+  if (!resistance.waits()) return false;
+  const Edge& from = starts_[edge];
+  const Edge* last = stroke_.lastEdge(edge);
+  const double off = last ? std::max(((*last)[0] - from[0]).norm(), ((*last)[1] - from[1]).norm()) : 0;
+  const bool lags = off > AT_ONE_PLACE * materials_.meanSize();
+  if (resistance.inTissue() ? !resistance.presses() : lags) return false;
+  return touches(to, x, mesh, &near_);
+}
+
 /// Cuts what an edge sweeps on its way to where it stands now, while the copies stand at `x`.
 void WorkingEdges::sweep(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, MeshDoor* door) {
+  if (held_back_[edge]) {
+    stroke_.stand();
+    return;
+  }
   record([&] { return stroke_.sweep(edge, to, x, materials_, door, &ties_); });
 }
 

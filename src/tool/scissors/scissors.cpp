@@ -6,13 +6,14 @@ namespace incision {
 namespace {
 
 std::vector<EdgeOfTool> edgesOf(const ToolSettings& settings, const ScissorEdges& edges) {
-  const double cutting_force = std::get<ScissorsSettings>(settings.kind).cutting_force;
+  const auto& scissors = std::get<ScissorsSettings>(settings.kind);
+  const CuttingResistance resistance = {scissors.cutting_force, scissors.cutting_viscosity, scissors.cutting_onset};
   std::vector<EdgeOfTool> of_tool;
   for (int i = 0; i < 2; ++i)
     of_tool.push_back({edges.edges[i].group,
                        edges.edges[i].edge,
                        {edges.thickness[i], edges.thickness[i]},
-                       cutting_force,
+                       resistance,
                        settings.friction});
   return of_tool;
 }

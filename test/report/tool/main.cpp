@@ -1,5 +1,6 @@
 // Force on a blade and opening of its cut against its depth, with elements that are cut bit by bit or whole.
 #include "report/section.h"
+#include "report/tool/published.h"
 #include "report/tool/push.h"
 
 namespace incision::report {
@@ -53,6 +54,7 @@ void measure(bool quick, json* data) {
   (*data)["pull"] = PULL;
   (*data)["steady"] = STEADY;
   (*data)["stride"] = setting.stride;
+  (*data)["published"] = published(quick);
 }
 
 }  // namespace

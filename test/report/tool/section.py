@@ -4,6 +4,7 @@ import numpy as np
 
 from plots import COLOURS
 from tool.figures import largest_step, off_rest, resolution, steady
+from tool.published import draw_knives, draw_soft, published_fields
 
 # Of the curves: key, name, colour, dash, width.
 WAYS = (('without', 'elements cut whole', COLOURS[1], '-', 0.9), ('with', 'progressive', COLOURS[0], '-', 2.0))
@@ -47,6 +48,8 @@ def draw_opening(data, draw):
 def fields(data, draw):
     draw_force(data, draw)
     draw_opening(data, draw)
+    draw_knives(data['published'], draw)
+    draw_soft(data['published'], draw)
     wanted = data['cutting_force'] * data['block'][2]
     forces = [{'mesh': mesh_name(of['cells'], data), 'cut': cut, **steady(data, of[key])}
               for of in data['force'] for key, cut in (('without', 'whole'), ('with', 'progressive'))]
@@ -54,7 +57,7 @@ def fields(data, draw):
                  'off': off_rest(of), **{way: largest_step(of[key]['opening']) / of['with']['opening'][-1]
                                          for key, way in (('without', 'whole'), ('with', 'progressive'))}}
                 for of in data['opening']]
-    return {'sides': [1e3 * side for side in data['block']], 'modulus': data['young_modulus'] / 1e3,
+    return {**published_fields(data['published']), 'sides': [1e3 * side for side in data['block']], 'modulus': data['young_modulus'] / 1e3,
             'step': 1e3 * data['stride'], 'elastic': 1e3 * data['cutting_force'] / data['young_modulus'],
             'wanted': wanted, 'from': 1e3 * data['steady'], 'openings': openings,
             'forces': [{**force, 'share': force['mean'] / wanted} for force in forces],

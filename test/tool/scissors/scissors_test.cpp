@@ -128,6 +128,19 @@ TEST(Scissors, TakeTheWorkOfTheCutArea) {
   EXPECT_NEAR(cutting.work, expected, 0.03 * expected);
 }
 
+TEST(Scissors, WithAnOnsetAndAViscosityTakeMoreWorkForTheSameCut) {
+  Scene scene = strip(1e6);
+  auto& shears = std::get<ScissorsSettings>(scene.tools[0].kind);
+  shears.cutting_viscosity = CUTTING_FORCE;  // as much again at 1 m/s
+  shears.cutting_onset = CUTTING_FORCE;
+  Cutting cutting(scene), without(strip(1e6));
+  cutting.closeTo(0);
+  without.closeTo(0);
+  EXPECT_EQ(cutting.body.counts().pieces, 2);
+  EXPECT_NEAR(cutting.area, (FAR - NEAR) * DEPTH, 1e-3 * (FAR - NEAR) * DEPTH);
+  EXPECT_GT(cutting.work, 1.01 * without.work);
+}
+
 TEST(Scissors, ReportOneStrokeWhenTheyAreClosed) {
   Cutting cutting(strip(1e6));
   cutting.closeTo(0);

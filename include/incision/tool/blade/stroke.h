@@ -35,6 +35,12 @@ class Stroke {
   /// has.
   void start(const std::vector<Edge>& edges, const std::vector<Vec3>& x);
 
+  /// The edges go on from the start without having swept anything; what they sweep next counts from there.
+  void stand();
+
+  /// Where an edge stood last, as it was then; unless none has swept anything, or stood.
+  const Edge* lastEdge(std::size_t edge) const { return memory_.stands.empty() ? nullptr : &memory_.stands[edge].edge; }
+
   /// Adds what an edge sweeps from where it stood last to `to`, while the copies stand at `x` [m], and cuts the parts
   /// whose section the sweep so far has entered; without progressive ties those whose section's centroid it covers.
   /// Needs a start. Throws InputError, with the mesh unchanged, at the mesh's limits.

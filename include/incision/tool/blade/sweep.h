@@ -37,6 +37,9 @@ std::vector<Barycentric> spread(const std::vector<Barycentric>& polygon);
 /// The point of the line through an edge that is nearest to `point`.
 Vec3 nearest(const Edge& edge, const Vec3& point);
 
+/// What of a vector is at right angles to a direction, which is a unit.
+inline Vec3 rejected(const Vec3& vector, const Vec3& direction) { return vector - vector.dot(direction) * direction; }
+
 /// Shortest rest edge [m] at a node of a part's element.
 double shortestEdge(const Part& part, const CutMesh& mesh);
 

@@ -79,6 +79,7 @@ class WorkingEdges {
 
  private:
   Edge at(std::size_t edge, const Pose& pose) const { return placed(edges_[edge].edge, pose); }
+  bool holdsBack(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const;
   void sweep(std::size_t edge, const Edge& to, const std::vector<Vec3>& x, MeshDoor* door);
   template <typename Cut>
   void record(const Cut& cut);
@@ -93,8 +94,9 @@ class WorkingEdges {
   std::deque<CuttingEdge> resistances_;  // of each edge; they stay where they are
   StrokesMemory strokes_;
   // Kept for their memory:
-  std::vector<Edge> starts_;    // of the edges in a step [m]
-  std::vector<Vec3> x_within_;  // of the copies within a step [m]
+  std::vector<Edge> starts_;     // of the edges in a step [m]
+  std::vector<Vec3> x_within_;   // of the copies within a step [m]
+  std::vector<char> held_back_;  // of the edges in a step
 };
 
 }  // namespace incision

@@ -8,7 +8,9 @@ class YamlMap;
 struct ScissorsSettings {
   /// [N/m] of each edge in the tissue: the fracture energy [J/m²] of what they cut; regions may differ.
   double cutting_force = 0;
-  bool progressive = true;  ///< an element's crack opens as an edge sweeps it; false: elements are cut whole
+  double cutting_viscosity = 0;  ///< [N s/m²] as BladeSettings says
+  double cutting_onset = 0;      ///< [N/m] likewise
+  bool progressive = true;       ///< an element's crack opens as an edge sweeps it; false: elements are cut whole
 };
 
 /// Their keys in a tool's entry. Throws InputError.
