@@ -1,0 +1,13 @@
+// Published problems of other codes' test suites; measure.py adds what GetFEM makes of the same cracks.
+#include "report/benchmark/exact.h"
+#include "report/section.h"
+
+namespace incision::report {
+namespace {
+
+void measure(bool, nlohmann::json* data) { (*data)["exact"] = rigidZones(); }
+
+}  // namespace
+}  // namespace incision::report
+
+int main(int argc, char** argv) { return incision::report::writeSection(argc, argv, incision::report::measure); }
