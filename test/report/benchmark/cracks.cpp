@@ -93,6 +93,12 @@ json point(const CrackProblem& problem, int cells, bool longer) {
   return found;
 }
 
+/// Jumps of the straight penny where the block's surface is held as the uniform stress alone would have it.
+json withoutFarField(int cells) {
+  const CrackProblem problem = straightPenny();
+  return {{"cells", cells}, {"rays", solveOnce(problem, blockRound(problem.crack, cells), 0, Mat3::Zero()).rays}};
+}
+
 json describe(const CrackProblem& problem) {
   const auto rows = [](const Mat3& of) {
     json found;
@@ -134,7 +140,11 @@ json roundCracks(bool quick) {
     of["curves"] = curves;
     problems.push_back(of);
   }
-  return {{"problems", problems}, {"rays", RAYS}, {"places", RAY_PLACES}, {"length", RAY_LENGTH}};
+  return {{"problems", problems},
+          {"uniform", withoutFarField(sizes.back())},
+          {"rays", RAYS},
+          {"places", RAY_PLACES},
+          {"length", RAY_LENGTH}};
 }
 
 }  // namespace incision::report

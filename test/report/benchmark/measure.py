@@ -60,6 +60,8 @@ def measure(quick):
                          **{key: data[key] for key in ('rays', 'length', 'places')}}
             for singular in (False, True):
                 problem['curves'].append(by_getfem(described, sizes, singular, folder, longest))
+    data['uniform'] = Front(data['problems'][0], data['rays'], data['length'], data['places']).errors(
+        data['uniform']['rays'])
     for problem in data['problems']:
         front = Front(problem, data['rays'], data['length'], data['places'])
         for curve in problem['curves']:

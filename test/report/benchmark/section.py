@@ -69,17 +69,38 @@ def uneven(data):
     return found
 
 
+def worst(data, name):
+    """Least and largest |error| [%] of K on the finest mesh, by one way."""
+    found = [100 * abs(errors(of, quantity, key)[-1]) for _, quantity, way, of, key in series(data)
+             if way == name and quantity != 'G']
+    return [min(found), max(found)]
+
+
+def beside(problem):
+    """All ways on the finest grid that they share, and its cells."""
+    shared = set.intersection(*({p['cells'] for p in of['points']} for _, of, _ in ways(problem)))
+    cells = max(shared)
+    rows = []
+    for way, of, key in ways(problem):
+        point = next(p for p in of['points'] if p['cells'] == cells)
+        rows.append({'way': way, 'error': 100 * point['K_I'][key], 'freedoms': point['freedoms'], 'ms': point['ms']})
+    return cells, rows
+
+
 def fields(data, draw):
     draw_errors(data, draw)
     problems = {problem['name']: problem for problem in data['problems']}
     plain = {name: problem['curves'][0]['points'] for name, problem in problems.items()}
     failed = [f'{cells} cells ({problem["name"]})' for problem in data['problems'] for of in problem['curves']
-               for cells in of.get('failed', ())]
+              for cells in of.get('failed', ())]
     missing = [p['missing_edges'] for points in plain.values() for p in points[1:]]
+    cells, rows = beside(problems['penny'])
     return {'published': published(data), 'convergence': convergence(data), 'uneven': '; '.join(uneven(data)) or 'none',
             'failed': ', '.join(failed) or 'none', 'missing': [min(missing), max(missing)],
-            'edges': [plain['penny'][0]['edge'], plain['penny'][-1]['edge']],
-            'fit': [100 * e for e in data['fit']],
+            'plain': worst(data, NAMES[0]), 'acting': worst(data, NAMES[1])[1], 'longer': worst(data, NAMES[2])[1],
+            'cells': cells, 'beside': rows,
+            'far': 100 * (plain['penny'][-1]['K_I']['acting'] - data['uniform']['K_I']['acting']),
+            'edges': [plain['penny'][0]['edge'], plain['penny'][-1]['edge']], 'fit': [100 * e for e in data['fit']],
             'sliding': [100 * abs(p['K_II']['error']) for p in (plain['penny'][0], plain['penny'][-1])],
             'turning': 100 * plain['lens'][-1]['K_III']['worst'], 'start': data['start'], 'end': data['end'],
             'rays': data['rays']}
