@@ -24,7 +24,7 @@ class Benchmark(unittest.TestCase):
         self.assertEqual(len(DATA['exact']), 9)
         for found in DATA['exact']:
             self.assertEqual(found['pieces'], found['zones'], found['problem'])
-            self.assertLess(found['roundings'], 1, found['problem'])
+            self.assertLess(found['roundings'], 2, found['problem'])  # which kinds of arithmetic do not share
 
     def test_round_cracks_are_as_near_the_published_answers_as_measured(self):
         seen = set()

@@ -11,16 +11,8 @@ namespace {
 constexpr double PI = 3.14159265358979323846;
 constexpr double STRESS = 1e6;  // [Pa]
 
-}  // namespace
-
-CrackProblem CrackProblem::scaled(double by) const {
-  CrackProblem other = *this;
-  other.crack = crack.scaled(by);
-  if (moment) other.moment = std::pow(by, 3) * *moment;
-  return other;
-}
-
-// Tada, Paris, Irwin, The Stress Analysis of Cracks Handbook; code_aster's manual quotes it for SSLV159.
+/// A disc of 2 m with this normal, under a tension of 1 MPa along z. The answers are those of Tada, Paris, Irwin, The
+/// Stress Analysis of Cracks Handbook; code_aster's manual quotes them for SSLV159.
 CrackProblem penny(const char* name, const char* published, const Vec3& normal) {
   constexpr double RADIUS = 2, E = 200e9, NU = 0.3;
   CrackProblem problem{name, published, RoundCrack(RADIUS, 0, normal, Vec3::Zero()), Mat3::Zero(), E, NU, {}, true};
@@ -37,6 +29,15 @@ CrackProblem penny(const char* name, const char* published, const Vec3& normal) 
   const Vec3 jump = volume * (tension * axes.col(1) + 2 / (2 - NU) * shear * axes.col(0));
   problem.moment = jump * axes.col(1).transpose();
   return problem;
+}
+
+}  // namespace
+
+CrackProblem CrackProblem::scaled(double by) const {
+  CrackProblem other = *this;
+  other.crack = crack.scaled(by);
+  if (moment) other.moment = std::pow(by, 3) * *moment;
+  return other;
 }
 
 CrackProblem straightPenny() { return penny("penny", "SSLV134", Vec3::UnitZ()); }

@@ -26,11 +26,9 @@ struct CrackProblem {
   CrackProblem scaled(double by) const;
 };
 
-/// A disc of 2 m under a tension of 1 MPa that makes an angle with its normal.
-CrackProblem penny(const char* name, const char* published, const Vec3& normal);
-CrackProblem straightPenny();
-CrackProblem inclinedPenny();
-CrackProblem lens();
+CrackProblem straightPenny();  ///< a disc across the tension
+CrackProblem inclinedPenny();  ///< at 45° to it
+CrackProblem lens();           ///< a cap of a sphere under tension from all sides
 
 /// A block with its centre at the origin, and the edge of its cells round the crack [m].
 struct Block {

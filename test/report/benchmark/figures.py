@@ -2,13 +2,13 @@
 
 import math
 
-MODES = ('K_I', 'K_II', 'K_III')
-
 
 def ways(problem):
     """(what it is called, its curve, the key of its errors) of each way, first as it is cut and nothing else."""
     found = []
     for curve in problem['curves']:
+        if not curve['points']:
+            continue
         if curve['code'] == 'GetFEM':
             found.append(('GetFEM, singular functions' if curve['singular'] else 'GetFEM, jump alone', curve, 'error'))
         elif curve['longer']:
@@ -29,9 +29,11 @@ def errors(curve, quantity, key='error'):
 
 
 def order(curve, quantity, key='error'):
-    """The slope of log |error| over log edge, from the coarsest to the finest mesh."""
+    """The slope of log |error| over log edge, from the coarsest to the finest mesh; None with one mesh alone."""
     found = errors(curve, quantity, key)
     coarse, fine = curve['points'][0], curve['points'][-1]
+    if coarse is fine:
+        return None
     return math.log(abs(found[0] / found[-1])) / math.log(coarse['edge'] / fine['edge'])
 
 

@@ -3,10 +3,10 @@
 
 usage: getfem_cracks.py PROBLEM.json CELLS SINGULAR FILE.json
 
-The problem is as report_benchmark describes it; the block, its grid and what holds it are those of incision. Writes what
-incision's program writes of a mesh: jumps along the same rays, freedoms, wall time. SINGULAR is 1 with the four singular
-functions round the front, 0 with the jump alone. GetFEM 5.4 has its singular functions in the plane only, so here they
-stand in the weak form: u + Σ F_k w_k, with w_k in the linear elements of the nodes round the front.
+The problem is as report_benchmark describes it; the block, its grid and what holds it are those of incision. Writes
+what incision's program writes of a mesh: jumps along the same rays, freedoms, wall time. SINGULAR is 1 with the four
+singular functions round the front, 0 with the jump alone. GetFEM 5.4 has its singular functions in the plane only, so
+here they stand in the weak form: u + Σ F_k w_k, with w_k in the linear elements of the nodes round the front.
 """
 
 import json
@@ -121,7 +121,8 @@ class Model:
         tested = '(' + '+'.join(f'F{k}*Grad_Test_w{k}+Test_w{k}@G{k}' for k in FUNCTIONS) + ')'
         self.model.add_linear_term(
             self.integration('IM_TETRAHEDRON(6)'),
-            f'{self.stress("Grad_u")}:{tested}+{self.stress(added)}:Grad_Test_u+{self.stress(added)}:{tested}', ROUND_FRONT)
+            f'{self.stress("Grad_u")}:{tested}+{self.stress(added)}:Grad_Test_u+{self.stress(added)}:{tested}',
+            ROUND_FRONT)
 
     def hold(self, method):
         vectors = gf.MeshFem(self.mesh, 3)

@@ -13,7 +13,7 @@ AXES = {'K_I': 1, 'K_II': 0, 'K_III': 2}  # of a jump: ahead, across, along the 
 
 
 def fit(distances, profiles, shift=0):
-    """K of profiles [u] / c in columns, with a front that lies `shift` [m] behind; and the sum of what is left, squared."""
+    """K of profiles [u] / c in columns, the front being `shift` [m] behind; and the sum of squares that is left."""
     root = np.sqrt(distances - shift)
     terms = np.stack([root, root * (distances - shift)], axis=1)
     found = np.linalg.lstsq(terms, profiles, rcond=None)[0]
@@ -68,7 +68,7 @@ class Front:
 
 
 def errors_of_fit():
-    """What the fit makes of the exact opening of a disc: errors of K from the front as cut, and where it seems to act."""
+    """What the fit makes of the exact opening of a disc: errors of K from the front as cut, and from where it acts."""
     distances = np.linspace(START, END, 101)[1:-1]
     opening = np.sqrt(distances * (2 - distances)) / np.sqrt(2)  # over that of K = 1
     return [fit(distances, opening)[0] - 1,

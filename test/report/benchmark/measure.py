@@ -23,8 +23,8 @@ def program(quick, folder):
 
 
 def by_getfem(problem, sizes, singular, folder, longest):
-    """A curve by GetFEM, each point in a process of its own. On some meshes its search for what a level set cuts does not
-    end, and on some it crashes: those that do, or take longer [s], are left out, and told."""
+    """A curve by GetFEM, each point in a process of its own. On some meshes its search for what a level set cuts does
+    not end, and on some it crashes: those that do, or take longer [s], are left out, and told."""
     given, made = pathlib.Path(folder) / 'problem.json', pathlib.Path(folder) / 'getfem.json'
     given.write_text(json.dumps(problem), encoding='utf-8')
     curve = {'code': 'GetFEM', 'singular': singular, 'points': [], 'failed': []}
@@ -50,7 +50,7 @@ def finish(point, front):
 
 
 def measure(quick):
-    sizes, longest = ((9, 11, 13), 60) if quick else ((13, 19, 27), 200)
+    sizes, longest = ((9, 11, 13), 120) if quick else ((13, 19, 27), 200)
     with tempfile.TemporaryDirectory() as folder:
         data = program(quick, folder)
         for problem in data['problems']:
