@@ -2,6 +2,7 @@
 
 import math
 
+QUANTITIES = ('K_I', 'K_II', 'K_III', 'G')
 
 def ways(problem):
     """(what it is called, its curve, the key of its errors) of each way, first as it is cut and nothing else."""
@@ -20,7 +21,8 @@ def ways(problem):
 
 def asked(problem):
     """The quantities that have an answer other than zero."""
-    return [name for name, answer in problem['answers'].items() if abs(answer) > 1e-9 * problem['answers']['K_I']]
+    answers = problem['answers']
+    return [name for name in QUANTITIES if abs(answers.get(name, 0)) > 1e-9 * answers['K_I']]
 
 
 def errors(curve, quantity, key='error'):

@@ -13,6 +13,8 @@ SHOWN = (('penny', 'K_I'), ('inclined penny', 'K_II'), ('inclined penny', 'K_III
 NAMES = ('incision', 'incision, front where it acts', 'incision, cut longer', 'GetFEM, jump alone',
          'GetFEM, singular functions')
 
+NEAR = 0.05  # an error
+
 
 def draw_errors(data, draw):
     with draw.panels('cracks', len(SHOWN), width=3.9, height=4) as panels:
@@ -64,8 +66,8 @@ def uneven(data):
     for problem, quantity, way, of, key in series(data):
         off = [abs(e) for e in errors(of, quantity, key)]
         if any(fine > coarse + 0.01 for coarse, fine in zip(off, off[1:])):
-            found.append(f'{problem["name"]} {quantity} ({way})')
-    return found
+            found.append({'what': f'{problem["name"]}, {quantity}, {way}'})
+    return found or [{'what': 'nothing'}]
 
 
 def worst(data, name):
@@ -76,12 +78,14 @@ def worst(data, name):
 
 
 def beside(problem):
-    """All ways on the finest grid that they share, and its cells."""
+    """All ways on the finest grid that they share, and its cells; and the least time of any grid that is NEAR."""
     shared = set.intersection(*({p['cells'] for p in of['points']} for _, of, _ in ways(problem)))
     cells = max(shared, default=None)
     rows = []
     for way, of, key in ways(problem):
-        rows += [{**p, 'way': way, 'error': 100 * p['K_I'][key]} for p in of['points'] if p['cells'] == cells]
+        near = [p['ms'] for p in of['points'] if abs(p['K_I'][key]) < NEAR]
+        rows += [{**p, 'way': way, 'error': 100 * p['K_I'][key], 'near': f'{min(near):.0f}' if near else None}
+                 for p in of['points'] if p['cells'] == cells]
     return cells, rows
 
 
@@ -93,10 +97,10 @@ def fields(data, draw):
               for cells in of.get('failed', ())]
     missing = [p['missing_edges'] for points in plain.values() for p in points[1:]]
     cells, rows = beside(problems['penny'])
-    return {'published': published(data), 'convergence': convergence(data), 'uneven': '; '.join(uneven(data)) or 'none',
+    return {'published': published(data), 'convergence': convergence(data), 'uneven': uneven(data),
             'failed': ', '.join(failed) or 'none', 'missing': [min(missing), max(missing)],
             'plain': worst(data, NAMES[0]), 'acting': worst(data, NAMES[1])[1], 'longer': worst(data, NAMES[2])[1],
-            'cells': cells, 'beside': rows,
+            'cells': cells, 'beside': rows, 'near': 100 * NEAR,
             'far': 100 * (plain['penny'][-1]['K_I']['acting'] - data['uniform']['K_I']['acting']),
             'edges': [plain['penny'][0]['edge'], plain['penny'][-1]['edge']], 'fit': [100 * e for e in data['fit']],
             'sliding': [100 * abs(p['K_II']['error']) for p in (plain['penny'][0], plain['penny'][-1])],
