@@ -8,14 +8,12 @@
 
 namespace incision::report {
 
-/// A crack that ends inside elements acts as if it were shorter by about so many edges of an element.
-inline constexpr double MISSING_EDGES = 0.8;
-
 /// How a mesh is made and whether the crack lies on its faces; otherwise the crack goes through elements.
 struct Way {
   bool unstructured;  ///< by Gmsh; otherwise a grid
   bool faces;
-  bool longer = false;  ///< the crack is made longer, by the MISSING_EDGES that a crack inside elements lacks
+  bool longer =
+      false;  ///< the crack is made longer, by the MISSING_EDGES (mean_edge.h) that a crack inside elements lacks
 };
 
 /// One static solve: a body, what holds and loads it, and what is cut before.

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "report/clock.h"
+#include "report/mean_edge.h"
 #include "support/loads.h"
 
 namespace incision::report {
@@ -20,20 +21,6 @@ struct MeshRun {
   double edge, meshing_ms;
   std::vector<Solution> solutions;
 };
-
-/// Edge [m] of cells of six elements each, of the mean volume in a box.
-double meanEdge(const TetMesh& mesh, const RestBox& box) {
-  double volume = 0;
-  int count = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    Vec3 centre = Vec3::Zero();
-    for (int n : mesh.elements[e]) centre += mesh.nodes[n] / 4;
-    if (!box.contains(centre)) continue;
-    volume += elementVolume(mesh, static_cast<int>(e));
-    ++count;
-  }
-  return std::cbrt(6 * volume / count);
-}
 
 MeshRun run(const Problem& problem, const Way& way, int cells, Gmsh* gmsh, int repeats) {
   MeshRun done;
