@@ -8,7 +8,7 @@ SECTIONS=(static calculix benchmark locking dynamic stability tool cost)
 usage() {
   echo "usage: test/report/run.sh [--quick | --publish] [SECTION...]"
   echo "  --quick    under five minutes, on smaller meshes; writes to build/report/quick/ instead of build/report/"
-  echo "  --publish  also replaces test/report/README.md and its plots, if all sections were measured"
+  echo "  --publish  also replaces what was measured in test/report/README.md and its plots"
   echo "  SECTION    of ${SECTIONS[*]}; all unless some are named. The others keep what they measured last."
 }
 
@@ -43,9 +43,6 @@ for section in "${chosen[@]:-${SECTIONS[@]}}"; do
 done
 ./report.py "$INCISION_REPORT" "${SECTIONS[@]}"
 if [[ $publish ]]; then
-  for section in "${SECTIONS[@]}"; do
-    [[ -f $INCISION_REPORT/data/$section.json ]] || fail "$section was never measured, so nothing is published"
-  done
   cp "$INCISION_REPORT/README.md" .
   cp "$INCISION_REPORT"/plots/*.png plots/
 fi

@@ -13,8 +13,8 @@ constexpr double LENGTH = 1, DENSITY = 1000, G = 9.81;
 /// A bar that hangs from its upper end, struck at random.
 class HangingBar : public Rig {
  public:
-  HangingBar(double young_modulus, double time_step, TensionScheme tension, Method method = Method::DIRECT)
-      : Rig(block({2, 2, 8}, Vec3(0.25, 0.25, LENGTH)), settings(young_modulus, time_step, tension, method)) {
+  HangingBar(double young_modulus, double dt, TensionScheme tension, Method method = Method::DIRECT)
+      : Rig(block({2, 2, 8}, Vec3(0.25, 0.25, LENGTH)), settings(young_modulus, dt, tension, method)) {
     motion.v = randomVectors(motion.v.size(), 0.1, 1);
   }
 
@@ -40,12 +40,12 @@ class HangingBar : public Rig {
   }
 
  private:
-  static RigSettings settings(double young_modulus, double time_step, TensionScheme tension, Method method) {
+  static RigSettings settings(double young_modulus, double dt, TensionScheme tension, Method method) {
     RigSettings settings;
     settings.material = {young_modulus, 0.3, DENSITY, 0, 0};
     settings.conditions.gravity = Vec3(0, 0, -G);
     settings.conditions.clamps = {{slab(2, LENGTH), Vec3::Zero()}};
-    settings.solver.time_step = time_step;
+    settings.solver.time_step = dt;
     settings.solver.method = method;
     settings.solver.tension = tension;
     return settings;

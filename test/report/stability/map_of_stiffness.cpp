@@ -32,9 +32,13 @@ class SlitBar : public Watched {
   }
 };
 
-/// The step takes the dead tension of the weight as it stands at its start. So a wave along the tension, of the speed
-/// √(σ/ρ), must pass less than an element a step; a tenth of one where the bar is stretched so far that elements turn
-/// inside out. Where the material resists a thousand times as much, any step will do.
+/// Released, the bar turns down in the first steps: those of a long time step lead along the tangent, by more than its
+/// length where it is soft, and leave it stretched.
+constexpr int LEAP = 20;
+
+/// Where a wave along the tension, of the speed √(σ/ρ), passes less than an element a step, or a tenth of one where the
+/// bar is stretched so far that elements turn inside out, it does not leap; nor where the material resists a thousand
+/// times as much.
 bool energyMustNotGrow(double young_modulus, double time_step) {
   const double elements = std::sqrt(TENSION / DENSITY) * time_step / CELL;
   return young_modulus > 1000 * TENSION || elements < (young_modulus > TENSION ? 1 : 0.1);
@@ -47,22 +51,26 @@ void mapOfStiffness(Matrix* matrix) {
   nlohmann::json& map = matrix->data()["map"] = nlohmann::json::array();
   matrix->begin("E from 1e2 to 1e12 Pa × Δt from 1e-5 to 1 s, a slit bar that falls");
   for (const Method method : METHODS) {
-    Worst residual, growth, growth_beyond;
+    Worst residual, growth, leap_beyond, growth_after;
     int failed = 0;
     for (int i = 0; i < count; ++i)
       for (int j = 0; j < count; ++j) {
         const double E = std::pow(10, 2 + 10.0 * i / (count - 1)), dt = std::pow(10, -5 + 5.0 * j / (count - 1));
         SlitBar bar(E, 0.45, dt, method);
-        bar.take(steps);
+        bar.take(LEAP);
         const Watch& seen = bar.seen();
+        const double leap = seen.growth;
+        bar.startWatching();
+        bar.take(steps - LEAP);
         failed += !seen.finite;
         residual.add(seen.residual_share);
-        (energyMustNotGrow(E, dt) ? growth : growth_beyond).add(seen.growth);
+        (energyMustNotGrow(E, dt) ? growth : leap_beyond).add(leap);
+        growth_after.add(seen.growth);
         map.push_back({{"method", nameOf(method)},
                        {"E", E},
                        {"dt", dt},
                        {"finite", seen.finite},
-                       {"growth", seen.growth},
+                       {"growth", std::max(leap, seen.growth)},
                        {"iterations", seen.iterations},
                        {"residual", seen.residual},
                        {"claimed", energyMustNotGrow(E, dt)}});
@@ -70,8 +78,10 @@ void mapOfStiffness(Matrix* matrix) {
     const std::string with = std::string(", ") + nameOf(method);
     matrix->add("combinations with a failed step" + with, failed, 0, "every step can be taken");
     addResidual(matrix, "residual" + with, residual.figure());
-    addGrowth(matrix, "energy growth, √(σ/ρ)Δt/h < 1 (0.1 for E < σ), or E > 1000 σ" + with, growth.figure());
-    matrix->addLimit("energy growth beyond, where the tension σ is the weight's" + with, growth_beyond.figure(),
+    addGrowth(matrix, "energy growth in the first 20 steps, √(σ/ρ)Δt/h < 1 (0.1 for E < σ), or E > 1000 σ" + with,
+              growth.figure());
+    addGrowth(matrix, "energy growth after them, all combinations" + with, growth_after.figure());
+    matrix->addLimit("energy growth in the first 20 steps beyond, where the bar leaps" + with, leap_beyond.figure(),
                      GROWTH_BOUND, GROWTH_REASON);
   }
 
