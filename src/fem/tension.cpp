@@ -12,6 +12,9 @@ namespace {
 /// What sways up are waves over many elements: of large bodies one part of so many is looked at.
 constexpr int EVERY = 8, FEW = 128;
 
+/// What Δt σ / (h √(E ρ)) has to be in the mean.
+constexpr double MEAN_PULL = 0.5;
+
 }  // namespace
 
 Tension::Tension(const Assembly& assembly) : assembly_(assembly) {
@@ -35,7 +38,6 @@ void Tension::topologyChanged(const std::vector<int>& piece, int pieces, const s
   });
   findThickness(piece);
   part_acts_.reserve(parts.size());
-  may_.reserve(parts.size());
   products_.reserve(parts.size());
 }
 
@@ -80,23 +82,27 @@ void Tension::find(TensionScheme scheme, double time_step, const std::vector<Vec
   assembly_.tensionProducts(x, time_step * time_step, part_acts_, &products_);
 }
 
-/// Those with a part in which the pull may do more in a step than the stiffness resists: none that is smaller than the
-/// largest stress can be by its invariants.
+/// By what the largest stress of a part can be at most, to its invariants.
 void Tension::choosePieces(double time_step, const std::vector<Vec3>& x) {
   const int parts = static_cast<int>(part_piece_.size()), every = std::clamp(parts / FEW, 1, EVERY);
-  may_.resize(static_cast<std::size_t>((parts + every - 1) / every));
-  parallelFor(static_cast<int>(may_.size()), assembly_.threads(), [&](int i) {
+  pulls_.resize(static_cast<std::size_t>((parts + every - 1) / every));
+  parallelFor(static_cast<int>(pulls_.size()), assembly_.threads(), [&](int i) {
     const int p = every * i, of_part = part_piece_[p];
-    may_[i] = 0;
     if (of_part < 0) return;
     const Mat3 S = assembly_.unrotatedStress(p, x);
     const double t = S.trace(), around = (S - t / 3 * Mat3::Identity()).squaredNorm();
-    const double most = t / 3 + std::sqrt(2 * around / 3);
-    may_[i] = time_step * most > piece_thickness_[of_part] * impedance_[assembly_.mesh().parts()[p].element];
+    const double most = std::max(t / 3 + std::sqrt(2 * around / 3), 0.0);
+    pulls_[i] = time_step * most / (piece_thickness_[of_part] * impedance_[assembly_.mesh().parts()[p].element]);
   });
-  std::fill(piece_acts_.begin(), piece_acts_.end(), 0);
-  for (std::size_t i = 0; i < may_.size(); ++i)
-    if (may_[i]) piece_acts_[part_piece_[every * static_cast<int>(i)]] = 1;
+  means_.assign(piece_held_.size(), Mean());
+  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+    const int of_part = part_piece_[static_cast<std::size_t>(every) * i];
+    if (of_part < 0) continue;
+    means_[of_part].sum += pulls_[i];
+    ++means_[of_part].count;
+  }
+  for (std::size_t piece = 0; piece < means_.size(); ++piece)
+    piece_acts_[piece] = means_[piece].sum > MEAN_PULL * means_[piece].count;
 }
 
 }  // namespace incision

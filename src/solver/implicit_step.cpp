@@ -131,14 +131,12 @@ const std::vector<Vec3>& ImplicitStep::begin(double time_step, const Motion& mot
 }
 
 void ImplicitStep::findTension() {
-  second_order_ = false;
   tension_.find(settings_.tension, time_step_, base_.x);
   lag_.clear();
 }
 
 /// The rotations are at y_.
 void ImplicitStep::findTensionAhead() {
-  second_order_ = true;
   tension_.find(settings_.tension, time_step_, y_);
   lag_.resize(tension_.acts() ? y_.size() : 0);
   for (std::size_t c = 0; c < lag_.size(); ++c) lag_[c] = (y_[c] - base_.x[c]) / time_step_;
@@ -231,7 +229,6 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
       motion->x[c] = base_.x[c] + time_step_ * (base_.u[c] + dv_[c]);
     }
   }
-  if (!second_order_ && conditions_.loads.empty()) rigid_.keepSpin(assembly_, couplers != nullptr, motion);
   times_.update = millisecondsSince(updating);
   return true;
 }

@@ -11,10 +11,6 @@ namespace {
 /// Below this share of what turns a piece too far none is given to it beforehand.
 constexpr double LEAST_SHARE = 1e-3;
 
-/// What a step changes of the energy of spin up to this share is left. What tumbles is off by less, now more and now
-/// less, which cancels; brought back whenever there is energy for it, that would add up.
-constexpr double LEAST_CHANGE = 1e-2;
-
 /// Moments of inertia below this share of the largest are those of a line or of a point, which cannot spin about it.
 constexpr double LEAST_INERTIA = 1e-9;
 
@@ -57,7 +53,7 @@ void RigidPieces::topologyChanged(const std::vector<int>& piece, int pieces, con
 /// (M v) and J = Σ (r · q) 1 − q rᵀ with q = M r.
 void RigidPieces::measure(const Assembly& assembly, const Motion& motion) {
   const std::vector<double>& masses = assembly.masses();
-  bodies_.assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero(), 0});
+  bodies_.assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero()});
   const std::size_t copies = motion.x.size();
   for (std::size_t c = 0; c < copies; ++c) {
     if (!isFree(c)) continue;
@@ -83,7 +79,6 @@ void RigidPieces::measure(const Assembly& assembly, const Motion& motion) {
     const Vec3 p = (consistent ? mass_v_[c] : Vec3(masses[c] * motion.v[c])) - masses[c] * body.velocity;
     const Vec3 q = consistent ? Vec3(mass_x_[c] - masses[c] * body.centre) : Vec3(masses[c] * r);
     body.spin += r.cross(p);
-    body.energy += p.dot(motion.v[c] - body.velocity);
     body.inertia += r.dot(q) * Mat3::Identity() - q * r.transpose();
   }
 }
@@ -131,37 +126,6 @@ void RigidPieces::euler(const Assembly& assembly, const Motion& motion, double t
     const Turn& turn = turns_[static_cast<std::size_t>(piece_[c])];
     moveAlong(c, motion.x[c], base);
     base->u[c] = turn.rotation * (motion.v[c] - body.velocity - turn.rate.cross(motion.x[c] - body.centre));
-  }
-}
-
-// The forces of a step are those of the rotations at its start, so they turn a piece when these differ from those at
-// its end: hardly where it is stiff, and by much where it springs up from a plane or a point. The energy of spin that a
-// piece has lost by that comes from what it moves by beside, so that no energy comes in.
-void RigidPieces::keepSpin(const Assembly& assembly, bool coupled, Motion* motion) {
-  if (!any_free_) return;
-  kicked_ = bodies_;
-  measure(assembly, *motion);
-  spins_.assign(bodies_.size(), {Vec3::Zero(), Vec3::Zero(), 1});
-  bool any = false;
-  for (std::size_t piece = 0; piece < bodies_.size(); ++piece) {
-    if (!free_[piece] || (coupled && kicks_[piece].is_coupled)) continue;
-    const Body& body = bodies_[piece];
-    const Vec3 before = kicked_[piece].spin;
-    const Mat3 inverse = pseudoInverse(0.5 * (body.inertia + body.inertia.transpose()));
-    const double had = before.dot(inverse * before), has = body.spin.dot(inverse * body.spin);
-    const double beside = body.energy - has;
-    if (!(std::abs(had - has) > LEAST_CHANGE * had) || !(had - has < beside)) continue;
-    any = true;
-    spins_[piece] = {inverse * body.spin, inverse * (before - body.spin),
-                     had > has ? std::sqrt(1 - (had - has) / beside) : 1};
-  }
-  for (std::size_t c = 0; any && c < motion->x.size(); ++c) {
-    if (!isFree(c)) continue;
-    const auto piece = static_cast<std::size_t>(piece_[c]);
-    const auto& [rate, lack, rest] = spins_[piece];
-    const Vec3 r = motion->x[c] - bodies_[piece].centre;
-    const Vec3 beside = motion->v[c] - bodies_[piece].velocity - rate.cross(r);
-    motion->v[c] += lack.cross(r) + (rest - 1) * beside;
   }
 }
 

@@ -138,14 +138,14 @@ TEST(Tension, ActsOnlyInHeldPiecesThatAreWarpedAndWhereItIsAskedFor) {
     }
 }
 
-// Δt σ above h √(E ρ), in a bar that is pulled along.
+// Δt σ above h √(E ρ) / 2, in a bar that is pulled along.
 TEST(Tension, ActsByItselfJustWhereThePullDoesMoreInAStepThanTheStiffness) {
-  for (const double share : {0.5, 0.8, 1.25, 2.0}) {
+  for (const double share : {0.3, 0.45, 0.55, 1.9}) {
     const double stress = share * 0.75 * std::sqrt(1e5 * 1000) / LONG_STEP;
     const double e = stress / 1e5;  // the stretch along the bar, and 0.3 of it across
     Pulled body(Vec3(1 + e, 1 - 0.3 * e, 1 - 0.3 * e).asDiagonal());
     body.tension.find(TensionScheme::AUTO, LONG_STEP, body.rig.motion.x);
-    EXPECT_EQ(body.tension.acts(), share > 1) << share;
+    EXPECT_EQ(body.tension.acts(), share > 0.5) << share;
     body.tension.find(TensionScheme::AUTO, LONG_STEP / 4, body.rig.motion.x);
     EXPECT_FALSE(body.tension.acts());
   }

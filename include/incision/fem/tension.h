@@ -42,6 +42,11 @@ class Tension {
   void findThickness(const std::vector<int>& piece);
   void choosePieces(double time_step, const std::vector<Vec3>& x);
 
+  struct Mean {
+    double sum = 0;
+    int count = 0;
+  };
+
   const Assembly& assembly_;
   std::vector<double> impedance_;        // of each element: √(E ρ) [Pa s/m]
   std::vector<double> piece_thickness_;  // at rest [m]
@@ -50,7 +55,8 @@ class Tension {
   bool any_held_ = false, acts_ = false;
   std::vector<TensionProducts> products_;
   // Scratch of the search:
-  std::vector<char> may_;  // of each part that is looked at
+  std::vector<double> pulls_;  // of each part that is looked at
+  std::vector<Mean> means_;    // of each piece
 };
 
 }  // namespace incision

@@ -204,7 +204,7 @@ class ImplicitStep : private StepEquations {
   std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, pulls_, levers_;
   std::vector<Vec3> lag_;  // how fast x̂ would get to where the rotations are, by copy [m/s]; empty: it is there
   std::vector<Wrench> felt_, clamp_wrenches_;
-  bool wants_clamp_wrenches_ = false, second_order_ = false;
+  bool wants_clamp_wrenches_ = false;
   StepTimes times_;
 };
 

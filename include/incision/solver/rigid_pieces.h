@@ -57,11 +57,6 @@ class RigidPieces {
   /// Where copies end with the change taken last: the base and Δv but for the pieces said above.
   void finish(const StepBase& base, const std::vector<Vec3>& dv, Motion* motion) const;
 
-  /// After a step of implicit Euler in which nothing has turned free pieces, but for couplers if `coupled`: those that
-  /// nothing has turned get back the angular momentum that they began with, where they have come far from it and what
-  /// deforms them has the energy.
-  void keepSpin(const Assembly& assembly, bool coupled, Motion* motion);
-
   std::size_t pieces() const { return free_.size(); }
   int pieceOf(std::size_t copy) const { return piece_[copy]; }
   bool isFree(std::size_t copy) const { return free_[static_cast<std::size_t>(piece_[copy])]; }
@@ -82,7 +77,6 @@ class RigidPieces {
     double mass;
     Vec3 centre, velocity, spin;  // c [m], V [m/s], L [kg m²/s]
     Mat3 inertia;                 // J [kg m²]
-    double energy;                // of all motion beside V, twice [J]
   };
   /// A rigid motion over a step.
   struct Turn {
@@ -126,12 +120,6 @@ class RigidPieces {
   std::vector<Turn> turns_, kicked_turns_, turns_back_;
   std::vector<Vec3> mass_x_, mass_v_;  // M x, M v, where the mass is consistent
   std::vector<Kick> kicks_;
-  // Scratch of keepSpin: the rate at which a piece turns, what that lacks, and the share of all else that stays.
-  struct Spin {
-    Vec3 rate, lack;
-    double rest;
-  };
-  std::vector<Spin> spins_;
 };
 
 }  // namespace incision

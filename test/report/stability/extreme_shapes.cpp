@@ -162,8 +162,8 @@ void extremeShapes(Matrix* matrix) {
   addResidual(matrix, "residual, once nothing is flat", all.residual.figure());
   matrix->addLimit("share of such runs with noise of 1e-9 and 1e-2 m that do not recover in time", knots, 0,
                    RECOVERY_REASON);
-  matrix->add("angular momentum won from rest, over mass × length × speed of sound", all.spin.figure(), 1e-6,
-              "none acts");
+  matrix->addLimit("angular momentum won from rest, over mass × length × speed of sound", all.spin.figure(), 1e-6,
+                   "none acts");
 }
 
 }  // namespace incision::report

@@ -1,7 +1,6 @@
 #include "reference.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -17,9 +16,6 @@ using Corners = Eigen::Matrix<Real, 3, 4>;  // a column for each of a part's fou
 
 /// Products and sums behind one force, each of them rounded in double.
 constexpr Real ROUNDINGS = 16 * std::numeric_limits<double>::epsilon();
-
-/// How near a piece comes to the spin that it gets back, over its mass, the largest coordinate and the largest speed.
-constexpr Real SPIN_KEPT = 1e-11;
 
 /// An element at rest.
 struct Rest {
@@ -138,21 +134,6 @@ void addStiffness(const Given& given, int p, Sides* sides) {
   }
 }
 
-/// L of a piece about its centre of mass.
-RealVec spinOf(const Rig& rig, int piece, const Motion& motion, const std::vector<Real>& mass) {
-  Real sum = 0;
-  RealVec centre = RealVec::Zero(), spin = RealVec::Zero();
-  for (std::size_t c = 0; c < mass.size(); ++c) {
-    if (rig.step.pieceOf()[c] != piece) continue;
-    sum += mass[c];
-    centre += mass[c] * motion.x[c].cast<Real>();
-  }
-  for (std::size_t c = 0; c < mass.size(); ++c)
-    if (rig.step.pieceOf()[c] == piece)
-      spin += mass[c] * (motion.x[c].cast<Real>() - centre / sum).cross(motion.v[c].cast<Real>());
-  return spin;
-}
-
 /// Squared norms over a piece, or the body.
 struct Norms {
   Real residual = 0, right = 0, loads = 0, rounding = 0, mass = 0;
@@ -167,46 +148,26 @@ StepResidual stepResidual(const Rig& rig, const RigSettings& settings, const Mot
   const std::vector<Real> mass = massesOf(rig, settings.material);
   const ReferenceBase base = rigidReference(rig, before, mass);
   std::vector<RealVec> dv(copies);
-  Real reach = 0, places = 0, fastest = 0;
+  Real reach = 0, places = 0;
   for (std::size_t c = 0; c < copies; ++c) {
     const RealVec v = rig.motion.v[c].cast<Real>();
     dv[c] = v - base.v[c] - base.u[c];
     const RealVec way = (dt + beta) * before.v[c].cast<Real>().cwiseAbs().cwiseMax(v.cwiseAbs());
     reach = std::max({reach, before.x[c].cast<Real>().cwiseAbs().maxCoeff(), way.maxCoeff()});
     places = std::max({places, base.x[c].cwiseAbs().maxCoeff(), dt * v.cwiseAbs().maxCoeff()});
-    fastest = std::max(fastest, v.norm());
   }
 
-  // A piece whose places are not those of its velocities has got its spin back; its places tell what the step did.
-  std::vector<char> spun(rig.step.pieces());
-  Real off_place = 0, off_spin = 0;
-  for (std::size_t c = 0; c < copies; ++c) {
-    const RealVec place = base.x[c] + dt * (rig.motion.v[c].cast<Real>() - base.v[c]);
-    const Real off = (rig.motion.x[c].cast<Real>() - place).cwiseAbs().maxCoeff();
-    const Real share = off / (ROUNDINGS * (places + base.turned[c]));
-    const bool may_spin = rig.step.held()[c] < 0 && settings.warping;
-    if (share > 1 && may_spin)
-      spun[rig.step.pieceOf()[c]] = 1;
-    else
-      off_place = std::max(off_place, share);
-  }
-  for (int piece = 0; piece < rig.step.pieces(); ++piece) {
-    if (!spun[piece]) continue;
-    const RealVec off = spinOf(rig, piece, rig.motion, mass) - spinOf(rig, piece, before, mass);
-    Real whole = 0;
-    for (std::size_t c = 0; c < copies; ++c) whole += rig.step.pieceOf()[c] == piece ? mass[c] : 0;
-    off_spin = std::max(off_spin, off.norm() / (SPIN_KEPT * whole * places * fastest));
-  }
-  for (std::size_t c = 0; c < copies; ++c)
-    if (spun[rig.step.pieceOf()[c]]) dv[c] = (rig.motion.x[c].cast<Real>() - base.x[c]) / dt - base.u[c];
   const Given given{rig, settings, mass, base, dv, reach};
   Sides sides(copies);
   for (std::size_t c = 0; c < copies; ++c) addInertia(given, c, &sides);
   for (int p = 0; p < static_cast<int>(rig.mesh.parts().size()); ++p) addStiffness(given, p, &sides);
 
-  for (std::size_t c = 0; c < copies; ++c)
-    if (spun[rig.step.pieceOf()[c]])
-      sides.rounding[c] += (sides.diagonal[c] / dt) * ROUNDINGS * (places + base.turned[c]);
+  Real off_place = 0;
+  for (std::size_t c = 0; c < copies; ++c) {
+    const RealVec place = base.x[c] + dt * (rig.motion.v[c].cast<Real>() - base.v[c]);
+    const Real off = (rig.motion.x[c].cast<Real>() - place).cwiseAbs().maxCoeff();
+    off_place = std::max(off_place, off / (ROUNDINGS * (places + base.turned[c])));
+  }
 
   std::vector<Norms> pieces(rig.step.pieces());
   const RealVec weight = dt * settings.conditions.gravity.cast<Real>();
@@ -226,7 +187,7 @@ StepResidual stepResidual(const Rig& rig, const RigSettings& settings, const Mot
     all += piece.mass;
   }
   StepResidual result;
-  result.off_place = static_cast<double>(std::max(off_place, off_spin));
+  result.off_place = static_cast<double>(off_place);
   if (!(acting > 0)) return result;
   result.relative = static_cast<double>(std::sqrt(residual / acting));
   for (const Norms& piece : pieces) {
