@@ -12,7 +12,8 @@ namespace {
 /// What sways up are waves over many elements: of large bodies one part of so many is looked at.
 constexpr int EVERY = 8, FEW = 128;
 
-/// What Δt σ / (h √(E ρ)) has to be in the mean.
+/// What Δt σ / (h √(E ρ)) has to be in the mean, or half of σ/E: what is stretched to twice its length hardly
+/// resists a turn by itself.
 constexpr double MEAN_PULL = 0.5;
 
 }  // namespace
@@ -92,7 +93,9 @@ void Tension::choosePieces(double time_step, const std::vector<Vec3>& x) {
     const Mat3 S = assembly_.unrotatedStress(p, x);
     const double t = S.trace(), around = (S - t / 3 * Mat3::Identity()).squaredNorm();
     const double most = std::max(t / 3 + std::sqrt(2 * around / 3), 0.0);
-    pulls_[i] = time_step * most / (piece_thickness_[of_part] * impedance_[assembly_.mesh().parts()[p].element]);
+    const int element = assembly_.mesh().parts()[p].element;
+    const double limp = MEAN_PULL * most / assembly_.materials().youngModulus(element);
+    pulls_[i] = std::max(time_step * most / (piece_thickness_[of_part] * impedance_[element]), limp);
   });
   means_.assign(piece_held_.size(), Mean());
   for (std::size_t i = 0; i < pulls_.size(); ++i) {

@@ -151,5 +151,13 @@ TEST(Tension, ActsByItselfJustWhereThePullDoesMoreInAStepThanTheStiffness) {
   }
 }
 
+TEST(Tension, ActsByItselfAtAnyTimeStepInWhatIsStretchedToTwiceItsLength) {
+  for (const double stretch : {1.8, 2.2}) {
+    Pulled body(Vec3(stretch, 1.3 - 0.3 * stretch, 1.3 - 0.3 * stretch).asDiagonal());
+    body.tension.find(TensionScheme::AUTO, 1e-6, body.rig.motion.x);
+    EXPECT_EQ(body.tension.acts(), stretch > 2) << stretch;
+  }
+}
+
 }  // namespace
 }  // namespace incision
