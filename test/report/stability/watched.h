@@ -41,6 +41,7 @@ class Watched : public Rig {
   const Watch& seen() const { return watch_; }
   const RigSettings& settings() const { return settings_; }
   double totalEnergy() const;
+  double largestEnergy() const { return largest_energy_; }  ///< kinetic and elastic, of those seen
   double elasticEnergy() const { return step.assembly().elasticEnergy(motion.x); }
   double mass() const;
   Vec3 angularMomentum() const;  ///< about the centre of mass
