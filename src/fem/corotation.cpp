@@ -169,7 +169,8 @@ Mat3 Assembly::unrotatedStress(int part, const std::vector<Vec3>& x) const {
 
 Mat3 Assembly::stress(int part, const std::vector<Vec3>& x) const {
   const Mat3 R = rotationAt(part, gradientOf(part, x));
-  return R * stressUnder(part, x, [&](int p, const Mat3& F) { return rotationAt(p, F); }) * R.transpose();
+  return R * stressUnder(part, x, [&](int p, const Mat3& F) { return p == part ? R : rotationAt(p, F); }) *
+         R.transpose();
 }
 
 void Assembly::stresses(const std::vector<Vec3>& x, std::vector<Mat3>* stress) const {

@@ -11,9 +11,6 @@ constexpr double CELL = 0.1, LENGTH = 1, DENSITY = 1000, G = 9.81;
 /// The stress [Pa] of the bar's weight where it hangs down.
 constexpr double TENSION = DENSITY * G * LENGTH;
 
-/// Of a sum over some hundred copies, as a share of it.
-constexpr double ROUNDING = 1e-14;
-
 /// A bar that is held at one end, slit beside it, and begins to fall at rest.
 class SlitBar : public Watched {
  public:
@@ -24,17 +21,15 @@ class SlitBar : public Watched {
     startWatching();
   }
 
-  /// How far the energy rises above that of now in so many steps, over the largest that there has been; but for what a
-  /// stiff bar, of hardly any elastic energy, has in the rounding of that of its weight.
+  /// How far the energy rises above that of now in so many steps, over the largest that there has been.
   double growthInSteps(int steps) {
     const double start = totalEnergy();
-    double rise = ROUNDING * mass() * G * LENGTH;
-    const double rounding = rise;
+    double rise = 0;
     for (int k = 0; k < steps && seen().finite; ++k) {
       take(1);
       rise = std::max(rise, totalEnergy() - start);
     }
-    return rise > rounding ? rise / largestEnergy() : 0;
+    return rise > 0 ? rise / largestEnergy() : 0;
   }
 
  private:

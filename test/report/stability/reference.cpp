@@ -46,18 +46,20 @@ Corners atCopies(const std::vector<RealVec>& values, const Part& part) {
   return corners;
 }
 
+/// σ(u) of what the copies have.
+RealMat stressOf(const Corners& u, const Rest& rest, const Material& material) {
+  const RealMat H = u * rest.gradients.transpose(), strain = (H + H.transpose()) / 2;
+  return material.lambda() * strain.trace() * RealMat::Identity() + 2 * material.mu() * strain;
+}
+
 /// V R σ(u) b_I for each copy I, where u = Rᵀ y − X, or Rᵀ y of a velocity.
 Corners elasticForce(const Corners& u, const RealMat& R, const Rest& rest, Real volume, const Material& material) {
-  const RealMat H = u * rest.gradients.transpose(), strain = (H + H.transpose()) / 2;
-  const RealMat stress = material.lambda() * strain.trace() * RealMat::Identity() + 2 * material.mu() * strain;
-  return volume * R * stress * rest.gradients;
+  return volume * R * stressOf(u, rest, material) * rest.gradients;
 }
 
 /// V (b_I · S⁺ b_J) y_J for each copy I, S⁺ being the positive part of the stress of Rᵀ x − X.
 Corners tensionForce(const Corners& y, const Corners& u, const Rest& rest, Real volume, const Material& material) {
-  const RealMat H = u * rest.gradients.transpose(), strain = (H + H.transpose()) / 2;
-  const RealMat stress = material.lambda() * strain.trace() * RealMat::Identity() + 2 * material.mu() * strain;
-  const Eigen::SelfAdjointEigenSolver<RealMat> axes(stress);
+  const Eigen::SelfAdjointEigenSolver<RealMat> axes(stressOf(u, rest, material));
   const RealMat positive =
       axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).asDiagonal() * axes.eigenvectors().transpose();
   return volume * y * rest.gradients.transpose() * positive * rest.gradients;

@@ -57,7 +57,8 @@ def fields(data, draw):
                  'off': off_rest(of), **{way: largest_step(of[key]['opening']) / of['with']['opening'][-1]
                                          for key, way in (('without', 'whole'), ('with', 'progressive'))}}
                 for of in data['opening']]
-    return {**published_fields(data['published']), 'sides': [1e3 * side for side in data['block']], 'modulus': data['young_modulus'] / 1e3,
+    return {**published_fields(data['published']), 'sides': [1e3 * side for side in data['block']],
+            'modulus': data['young_modulus'] / 1e3,
             'step': 1e3 * data['stride'], 'elastic': 1e3 * data['cutting_force'] / data['young_modulus'],
             'wanted': wanted, 'from': 1e3 * data['steady'], 'openings': openings,
             'forces': [{**force, 'share': force['mean'] / wanted} for force in forces],
