@@ -103,7 +103,7 @@ Case guidedBlade() {
   return made;
 }
 
-/// The same blade, against what grows with its speed and takes more to begin.
+/// A guided blade that tissue resists the more the faster it cuts, and that takes more to begin.
 Case viscousBlade() {
   Case made = guidedBlade();
   bladeOf(&made.scene.tools[0]).cutting_viscosity = 10;

@@ -91,11 +91,11 @@ class Assembly {
   /// is small, and infinite where it is large or not a number.
   void principalBounds(const std::vector<Vec3>& x, std::vector<PrincipalBounds>* bounds) const;
 
-  /// Those of each `wanted` part for Δt² = `factor` [s²], S⁺ being the positive part of its stress with the rotations
-  /// that there are, which must be those at `x`; zero for the others.
+  /// The tension products of each `wanted` part for Δt² = `factor` [s²], S⁺ being the positive part of its stress with
+  /// the rotations that there are, which must be those at `x`; zero for the others.
   void tensionProducts(const std::vector<Vec3>& x, double factor, const std::vector<char>& wanted,
                        std::vector<TensionProducts>* products) const;
-  /// Σ_p of all parts' products times `w`, at every copy.
+  /// The sum over all parts of their tension products times `w`, at every copy.
   void multiplyTension(const std::vector<TensionProducts>& products, const std::vector<Vec3>& w,
                        std::vector<Vec3>* result) const;
 

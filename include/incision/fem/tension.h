@@ -12,8 +12,10 @@ namespace incision {
 /// pull does more in a step than its mass and its stiffness together, Δt² K_σ > 4 M + Δt² K. Bent in waves of length
 /// 2π/k a beam of height h under tension has σ k² > 4 ρ/Δt² + E h² k⁴/12, which no k fulfils unless Δt σ > 1.15 h √(E
 /// ρ). K_σ resists such a turn as the tension does. It also slows down what would not sway up, so by itself it acts
-/// only where Δt σ is above h √(E ρ) in some part, h being the element's size. It would damp what spins, so it acts in
-/// held pieces alone. Without warping there is none.
+/// only in pieces of which Δt σ / (h √(E ρ)) has a mean above 1/2, σ being the largest tension of a part and h the
+/// least thickness of the piece: what hangs is pulled twice the mean where it is held. It also does where σ/E has a
+/// mean above
+/// 1. It would damp what spins, so it acts in held pieces alone. Without warping there is none.
 class Tension {
  public:
   /// `assembly` must outlive this.
@@ -28,9 +30,10 @@ class Tension {
   /// Whether what was found last is not zero.
   bool acts() const { return acts_; }
 
+  /// Whether it does in the piece of this part.
   bool actsIn(int part) const { return acts_ && part_acts_[part]; }
 
-  /// Where it acts.
+  /// What was found last for a part, of a body in which it acts.
   const TensionProducts& products(int part) const { return products_[part]; }
 
   /// Δt² K_σ w [kg × the unit of w] at every copy.

@@ -6,7 +6,7 @@ namespace incision {
 enum class TensionScheme {
   EXPLICIT,  ///< only in the next one
   IMPLICIT,  ///< in all held pieces
-  AUTO,      ///< in held pieces where it outweighs the mass at some copy
+  AUTO,      ///< in held pieces that may sway up otherwise, as Tension says
 };
 
 }  // namespace incision

@@ -22,7 +22,7 @@ struct CrackProblem {
   std::optional<double> rate = {};  ///< energy release rate, mean along the front [J/m²]
   std::optional<Mat3> moment = {};  ///< ∫ [u] ⊗ n dA in infinite space [m³], where it is known
 
-  /// The same with another radius, for which only the crack and its moment are right.
+  /// This problem with another radius of its crack, for which only the crack and its moment are right.
   CrackProblem scaled(double by) const;
 };
 
