@@ -75,6 +75,11 @@ std::optional<CutResult> DeformableBody::State::ended(const std::optional<CutRes
   return withPieces(*stroke);
 }
 
+void DeformableBody::State::endStrokes(std::vector<CutResult>* strokes) {
+  for (const auto& tool : tools)
+    if (const auto stroke = ended(tool->lift())) strokes->push_back(*stroke);
+}
+
 /// All that acts in a step, and all who have threads, take them over.
 void DeformableBody::State::set(const LiveSettings& settings) {
   live = settings;

@@ -154,11 +154,13 @@ BodyMemory DeformableBody::State::keep() const {
   return memory;
 }
 
-/// Another state in place of the one there is.
-void DeformableBody::State::replace(const BodyMemory& memory, const LiveSettings& settings) {
+/// Another state in place of the one there is. Where somebody asks for the strokes under way they are ended before.
+void DeformableBody::State::replace(const BodyMemory& memory, const LiveSettings& settings,
+                                    std::vector<CutResult>* strokes) {
   CutMesh::Memory other = memory.mesh;
   BodyWrenches none = wants_wrenches ? noWrenches() : BodyWrenches();
   allOrNothing([&] {
+    if (strokes != nullptr) endStrokes(strokes);
     markRotations();
     mesh.exchange(&other);
     try {

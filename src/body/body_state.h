@@ -98,6 +98,7 @@ struct DeformableBody::State {
   void applyDueCuts();
   CutResult withPieces(CutResult cut) const;
   std::optional<CutResult> ended(const std::optional<CutResult>& stroke) const;
+  void endStrokes(std::vector<CutResult>* strokes);
   void set(const LiveSettings& settings);
 
   // A step.
@@ -119,7 +120,7 @@ struct DeformableBody::State {
   void recallStep(const StepMemory& memory);
   void recallAll(const StepMemory& memory);
   BodyMemory keep() const;
-  void replace(const BodyMemory& memory, const LiveSettings& settings);
+  void replace(const BodyMemory& memory, const LiveSettings& settings, std::vector<CutResult>* strokes = nullptr);
   void write(const BodyMemory& memory, ArchiveWriter* archive) const;
   BodyMemory read(ArchiveReader* archive) const;
   void check(const BodyMemory& memory, const MemoryLimits& limits) const;

@@ -122,7 +122,11 @@ void DeformableBody::set(const LiveSettings& settings) {
   state_->sound().set(settings);
 }
 
-void DeformableBody::reset() { state_->replace(state_->at_start, state_->live); }
+std::vector<CutResult> DeformableBody::reset() {
+  std::vector<CutResult> strokes;
+  state_->replace(state_->at_start, state_->live, &strokes);
+  return strokes;
+}
 
 const Scene& DeformableBody::scene() const { return state_->scene; }
 const CutMesh& DeformableBody::mesh() const { return state_->mesh; }

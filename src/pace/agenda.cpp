@@ -48,11 +48,16 @@ ToolInput Agenda::takeTool(int tool, Nanoseconds time) {
   return at(tool).take(time);
 }
 
-std::vector<WaitingCut> Agenda::clear(const std::vector<bool>& active) {
+void Agenda::clearTools(const IsActive& isActive) noexcept {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].clear(active.empty() || active.at(i));
+  for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].clear(!isActive || isActive(i));
   taken_ = 0;
-  return cuts_.takeAll();
+}
+
+std::optional<WaitingCut> Agenda::takeCut() noexcept {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (cuts_.size() == 0) return std::nullopt;
+  return cuts_.takeNext();
 }
 
 std::size_t Agenda::size() const {

@@ -49,12 +49,12 @@ void ClampTracker::checkAge(Nanoseconds now, std::size_t i) {
   }
 }
 
-void ClampTracker::restart() {
+void ClampTracker::restart() noexcept {
   tracker_.restart();
   for (Followed& followed : followed_) followed.stamp.reset();
 }
 
-void ClampTracker::recall(const std::vector<FollowedLinkMemory>& memory) {
+void ClampTracker::recall(const std::vector<FollowedLinkMemory>& memory) noexcept {
   tracker_.recall(memory);
   for (Followed& followed : followed_) followed.stamp.reset();
 }

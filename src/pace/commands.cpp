@@ -72,9 +72,10 @@ bool Commands::waitsFor(Nanoseconds time) const {
 }
 
 /// In this order: what leaves the one for the other meanwhile is met there.
-void Commands::refuseAll(const Refused& refused, const std::vector<bool>& active) {
+void Commands::refuseAll(const Refused& refused, const IsActive& isActive) noexcept {
   transforms_.clear(refused);
-  for (const WaitingCut& cut : agenda_.clear(active)) answers_.refuseCut(cut.plane.label, refused);
+  agenda_.clearTools(isActive);
+  while (const auto cut = agenda_.takeCut()) answers_.refuseCut(cut->plane.label, refused);
 }
 
 std::string Commands::nameOf(const Command& command) const {

@@ -12,13 +12,13 @@ void check(const JawTrackerMemory& memory, const MemoryLimits& limits) {
   check(memory.approach, limits);
 }
 
-void JawTracker::restart() { recall(JawTrackerMemory()); }
+void JawTracker::restart() noexcept { recall(JawTrackerMemory()); }
 
 JawTrackerMemory JawTracker::keep() const {
   return {target_, angle_, target_ ? last_call_ - last_time_ : 0, approach_};
 }
 
-void JawTracker::recall(const JawTrackerMemory& memory) {
+void JawTracker::recall(const JawTrackerMemory& memory) noexcept {
   target_ = memory.target;
   angle_ = memory.angle;
   last_time_ = -memory.age;

@@ -12,13 +12,6 @@ void serialize(Archive& archive, LeadsMemory& memory) {
   archive(tools, obstacles, clamps);
 }
 
-std::vector<bool> LeadsMemory::active() const {
-  std::vector<bool> list;
-  list.reserve(tools.size());
-  for (const ToolGuideMemory& tool : tools) list.push_back(tool.active);
-  return list;
-}
-
 std::string toBytes(const LeadsMemory& memory) {
   std::ostringstream out;
   out.exceptions(std::ostream::badbit);  // where memory runs out too, which the stream would keep to itself

@@ -35,14 +35,15 @@ LinkTracker::LinkTracker(LinkLookup lookup, const std::vector<FollowedLink>& lin
     links_.emplace_back();
     links_.back().followed = link;
   }
+  poses_.resize(links_.size());
   restart();
 }
 
-void LinkTracker::restart() {
-  poses_.clear();
-  for (Link& link : links_) {
+void LinkTracker::restart() noexcept {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    Link& link = links_[i];
     link.target = link.followed.start;
-    poses_.push_back(link.target.value_or(Pose()));
+    poses_[i] = link.target.value_or(Pose());
     link.approach.stop();
     link.found = false;
   }
@@ -70,11 +71,15 @@ std::vector<FollowedLinkMemory> LinkTracker::keep() const {
   return memory;
 }
 
-void LinkTracker::recall(const std::vector<FollowedLinkMemory>& memory) {
+void LinkTracker::recall(const std::vector<FollowedLinkMemory>& memory) noexcept {
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const FollowedLinkMemory& kept = memory.at(i);
+    const FollowedLinkMemory& kept = memory[i];
+    Link& link = links_[i];
     poses_[i] = kept.pose;
-    links_[i] = {links_[i].followed, kept.target, kept.age ? LAST_CALL - *kept.age : 0, kept.approach, kept.found};
+    link.target = kept.target;
+    link.stamp = kept.age ? LAST_CALL - *kept.age : 0;
+    link.approach = kept.approach;
+    link.found = kept.found;
   }
   last_call_ = LAST_CALL;
   resumed_ = true;

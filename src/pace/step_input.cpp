@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace incision {
 
@@ -104,12 +105,17 @@ void StepInput::setPaused(bool paused) {
   pacer_.restart();
 }
 
-void StepInput::restart(const Refused& refused) {
+void StepInput::restart(const Refused& refused) noexcept {
   commands_.refuseAll(refused);
-  for (ToolGuide& tool : tools_) tool.restart(&body_);
+  takeOver();
+  pacer_.restart();
+}
+
+/// A body that nobody led, as it stands.
+void StepInput::takeOver() noexcept {
+  for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].takeOver(body_.toolPose(i));
   obstacles_.restart();
   clamps_.restart();
-  pacer_.restart();
 }
 
 LeadsMemory StepInput::keep() const {
@@ -118,16 +124,14 @@ LeadsMemory StepInput::keep() const {
   return memory;
 }
 
-void StepInput::recall(const std::optional<LeadsMemory>& memory, const Refused& refused) {
-  commands_.refuseAll(refused, memory ? memory->active() : std::vector<bool>());
+void StepInput::recall(std::optional<LeadsMemory> memory, const Refused& refused) noexcept {
+  commands_.refuseAll(refused, [&](std::size_t tool) { return !memory || memory->tools[tool].active; });
   if (memory) {
-    for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].recall(memory->tools[i]);
+    for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].recall(std::move(memory->tools[i]));
     obstacles_.recall(memory->obstacles);
     clamps_.recall(memory->clamps);
   } else {
-    for (std::size_t i = 0; i < tools_.size(); ++i) tools_[i].takeOver(body_.toolPose(i));
-    obstacles_.restart();
-    clamps_.restart();
+    takeOver();
   }
   pacer_.restart();
 }

@@ -1,6 +1,7 @@
 #include "incision/pace/tool_guide.h"
 
 #include <sstream>
+#include <utility>
 
 namespace incision {
 
@@ -17,16 +18,16 @@ void check(const ToolGuideMemory& memory, const MemoryLimits& limits) {
   check(memory.jaw, limits);
 }
 
-void ToolGuide::recall(const ToolGuideMemory& memory) {
-  tracker_.recall(memory.tracker);
+void ToolGuide::recall(ToolGuideMemory memory) noexcept {
+  active_ = memory.tracker.active;
+  tracker_.recall(std::move(memory.tracker));
   jaw_.recall(memory.jaw);
   frame_stamp_ = memory.frame_stamp;
-  active_ = memory.tracker.active;
   told_active_ = memory.active;
   received_.reset();
 }
 
-void ToolGuide::takeOver(const std::optional<Pose>& pose) {
+void ToolGuide::takeOver(const std::optional<Pose>& pose) noexcept {
   tracker_.restart(pose);
   jaw_.restart();
   frame_stamp_.reset();
@@ -70,11 +71,6 @@ void ToolGuide::addFrame(const StepTime& time, ToolInput* input) {
   if (!found || (found->stamp != 0 && found->stamp == frame_stamp_)) return;
   frame_stamp_ = found->stamp;
   input->poses.push_back({found->pose, time.start, std::chrono::steady_clock::now(), input->active});
-}
-
-void ToolGuide::restart(DeformableBody* body) {
-  takeOver(std::nullopt);
-  if (const auto stroke = body->liftTool(tool_)) answers_.report(*stroke);
 }
 
 }  // namespace incision

@@ -47,11 +47,11 @@ std::optional<Arrival> ToolQueue::firstAfter(Nanoseconds time) const {
   return first;
 }
 
-void ToolQueue::clear(bool active) {
-  const std::uint64_t thinned = thinned_;
-  *this = ToolQueue();
-  thinned_ = thinned;
+void ToolQueue::clear(bool active) noexcept {
+  poses_.clear();
+  jaw_.clear();
   active_ = active_taken_ = active;
+  last_pose_ = switched_after_ = 0;
 }
 
 }  // namespace incision

@@ -17,9 +17,9 @@ ToolTracker::ToolTracker(const ToolSettings& tool, const Edge& edge, double time
     : max_step_(tool.max_step), timeout_(tool.timeout), edge_(edge), time_step_(time_step) {}
 
 void check(const ToolTrackerMemory& memory, const MemoryLimits& limits) {
-  for (const ToolTrackerMemory::Waiting& waiting : memory.waiting) {
+  for (const ReceivedPose& waiting : memory.waiting) {
     check(waiting.pose, limits);
-    require(isRosTime(waiting.age), "a pose's age is out of range");
+    require(isRosTime(-waiting.time), "a pose's age is out of range");
   }
   if (memory.last) check(*memory.last, limits);
   require(isRosTime(memory.age), "a pose's age is out of range");
@@ -28,7 +28,7 @@ void check(const ToolTrackerMemory& memory, const MemoryLimits& limits) {
   check(memory.approach, limits);
 }
 
-void ToolTracker::restart(const std::optional<Pose>& at) {
+void ToolTracker::restart(const std::optional<Pose>& at) noexcept {
   waiting_.clear();
   last_ = at;
   pose_ = at.value_or(Pose());
@@ -40,22 +40,20 @@ void ToolTracker::restart(const std::optional<Pose>& at) {
 }
 
 ToolTrackerMemory ToolTracker::keep() const {
-  ToolTrackerMemory memory = {{}, last_, active_, 0, pose_, way_, approach_, stale_};
-  for (const ReceivedPose& pose : waiting_)
-    memory.waiting.push_back({pose.pose, pose.active, std::max<Nanoseconds>(0, last_call_ - pose.time)});
+  ToolTrackerMemory memory = {waiting_, last_, active_, 0, pose_, way_, approach_, stale_};
+  for (ReceivedPose& pose : memory.waiting) pose.time = std::min<Nanoseconds>(0, pose.time - last_call_);
   if (last_) memory.age = std::max<Nanoseconds>(0, last_call_ - last_time_);
   return memory;
 }
 
-void ToolTracker::recall(const ToolTrackerMemory& memory) {
-  waiting_.clear();
-  for (const auto& [pose, active, age] : memory.waiting)
-    waiting_.push_back({pose, -age, std::chrono::steady_clock::now(), active});
+void ToolTracker::recall(ToolTrackerMemory memory) noexcept {
+  waiting_ = std::move(memory.waiting);
+  for (ReceivedPose& pose : waiting_) pose.received = std::chrono::steady_clock::now();
   last_ = memory.last;
   active_ = memory.active;
   last_time_ = -memory.age;
   pose_ = memory.pose;
-  way_ = memory.way;
+  way_ = std::move(memory.way);
   approach_ = memory.approach;
   last_call_ = 0;
   resumed_ = true;
@@ -75,15 +73,17 @@ ToolMove ToolTracker::follow(const ToolInput& input, Nanoseconds now, bool singl
   resume(now, single);
   admit(input.poses, now, &move);
   bool under_way = !way_.empty();
-  int taken = 0;
-  for (; !waiting_.empty() && !(under_way && beginsStroke(waiting_.front())); waiting_.pop_front(), ++taken) {
-    take(waiting_.front(), &move);
+  auto next = waiting_.begin();
+  for (; next != waiting_.end() && !(under_way && beginsStroke(*next)); ++next) {
+    take(*next, &move);
     under_way = true;
   }
+  const bool none_taken = next == waiting_.begin(), several_taken = next - waiting_.begin() > 1;
+  waiting_.erase(waiting_.begin(), next);
   const bool switches = waiting_.empty() && input.active != active_;
   if (switches && !under_way) active_ = input.active;
-  if (single || taken > 1 || switches || !waiting_.empty()) approach_.arriveInOneStep();
-  if (taken == 0 && !single) checkAge(now, &move);
+  if (single || several_taken || switches || !waiting_.empty()) approach_.arriveInOneStep();
+  if (none_taken && !single) checkAge(now, &move);
 
   move.active = active_;
   if (const double share = approach_.takeShare(); share > 0) {

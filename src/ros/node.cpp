@@ -193,9 +193,10 @@ void IncisionNode::setPaused(bool paused) {
 }
 
 void IncisionNode::reset() {
-  step_input_.restart({Refusal::BY_RESET, "the body was reset before it took effect"});
-  for (ToolPublisher& tool : tools_) tool.restart();
-  body_.reset();
+  const Refused refused = {Refusal::BY_RESET, "the body was reset before it took effect"};
+  for (const CutResult& stroke : body_.reset()) reporter_.report(stroke);
+  step_input_.restart(refused);
+  for (ToolPublisher& tool : tools_) guarded([&] { tool.restart(); });
   startAnew();
 }
 
@@ -218,13 +219,14 @@ SavedState IncisionNode::save() const {
   return state;
 }
 
-/// A body that no node has saved is taken over as it stands.
+/// All that may throw comes before the body has become another. One that no node has saved is taken over as it stands.
 void IncisionNode::restore(const SavedState& state) {
-  const std::optional<LeadsMemory> leads = readLeads(state.leads, step_input_.keep());
+  const Refused refused = {Refusal::BY_RESET, "the body was restored before it took effect"};
+  std::optional<LeadsMemory> leads = readLeads(state.leads, step_input_.keep());
   body_.restore(state.body);
-  step_input_.recall(leads, {Refusal::BY_RESET, "the body was restored before it took effect"});
+  step_input_.recall(std::move(leads), refused);
   startAnew();
-  reconfigure_.show(body_.live());
+  guarded([&] { reconfigure_.show(body_.live()); });
 }
 
 bool IncisionNode::wantsRegionStress() const { return !body_.materials().regions().areOne() && state_.wanted(); }

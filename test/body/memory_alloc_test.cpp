@@ -188,7 +188,9 @@ std::vector<Scenario> scenarios() {
                    const auto ended = body->liftTool();
                    *first = ended ? std::to_string(ended->pieces) : "";
                  }});
-  all.push_back({"reset", free, {}, 6, [](DeformableBody* body, std::string*) { body->reset(); }});
+  all.push_back({"reset", free, {}, 8, [](DeformableBody* body, std::string* first) {
+                   for (const CutResult& stroke : body->reset()) *first += std::to_string(stroke.pieces) + ' ';
+                 }});
   all.push_back({"save", free, {}, 6, [](DeformableBody* body, std::string* first) {
                    std::ostringstream out;
                    try {

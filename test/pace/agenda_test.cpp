@@ -76,16 +76,20 @@ TEST(Agenda, KnowsHowManyWaitAndSinceWhen) {
   EXPECT_FALSE(agenda.firstOfToolAfter(0, 0));
   EXPECT_EQ(after(5), agenda.firstOfToolAfter(1, 0)->received);
   EXPECT_EQ(70, agenda.firstOfToolAfter(1, 60)->stamp);
-  agenda.clear();
-  EXPECT_EQ(0u, agenda.size());
+  agenda.clearTools();
+  EXPECT_EQ(3u, agenda.size());
 }
 
-TEST(Agenda, ClearingReturnsTheCutsThatWillNotBeMade) {
+TEST(Agenda, GivesTheCutsThatWillNotBeMadeOneByOne) {
   Agenda agenda(1);
-  agenda.add(labelled("not made"), 50);
+  agenda.add(labelled("later"), 60);
+  agenda.add(labelled("earlier"), 50);
   agenda.add(0, at(0), 50);
-  EXPECT_EQ(1u, agenda.clear().size());
+  agenda.clearTools();
   EXPECT_TRUE(agenda.takeTool(0, 50).poses.empty());
+  EXPECT_EQ("earlier", agenda.takeCut()->plane.label);
+  EXPECT_EQ("later", agenda.takeCut()->plane.label);
+  EXPECT_FALSE(agenda.takeCut());
 }
 
 TEST(Agenda, TheBladeIsOnUntilItIsSwitchedAndAfterClearing) {
@@ -93,7 +97,7 @@ TEST(Agenda, TheBladeIsOnUntilItIsSwitchedAndAfterClearing) {
   EXPECT_TRUE(agenda.takeTool(0, 0).active);
   agenda.activate(0, false);
   EXPECT_FALSE(agenda.takeTool(0, 0).active);
-  agenda.clear();
+  agenda.clearTools();
   EXPECT_TRUE(agenda.takeTool(0, 0).active);
 }
 

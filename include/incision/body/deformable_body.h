@@ -170,8 +170,9 @@ class DeformableBody {
   const LiveSettings& live() const;
   void set(const LiveSettings& settings);
 
-  /// Back to the state after construction: no cuts, and those of the scene are still to come.
-  void reset();
+  /// Back to the state after construction: no cuts, and those of the scene are still to come. Returns the results of
+  /// the strokes under way, which end so, where they cut something.
+  std::vector<CutResult> reset();
 
   /// Writes all that outlasts a step, but no reports. The bytes are for bodies of the same scene and the same build.
   /// Throws std::runtime_error where the stream takes no more.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -19,6 +20,9 @@ struct WaitingCut {
   Nanoseconds stamp;
   SteadyTime received;
 };
+
+/// Whether a tool does what its kind does; where there is none they all do. Throws nothing.
+using IsActive = std::function<bool(std::size_t tool)>;
 
 /// Commands in the body's frame that wait for the step before which they take effect, ordered by stamp and then by
 /// arrival. Filled by the thread of the commands, emptied by the one that takes the steps.
@@ -40,8 +44,10 @@ class Agenda {
   std::vector<WaitingCut> takeCuts(Nanoseconds time);
   ToolInput takeTool(int tool, Nanoseconds time);
 
-  /// Empties the agenda and switches the blades on, or as `active` has them; returns the cuts that will not be made.
-  std::vector<WaitingCut> clear(const std::vector<bool>& active = {});
+  /// Forgets what is asked of the tools, and switches their blades on, or as `isActive` says.
+  void clearTools(const IsActive& isActive = nullptr) noexcept;
+  /// The next cut, whatever its stamp, if one waits. Takes no memory.
+  std::optional<WaitingCut> takeCut() noexcept;
 
   /// How many commands wait. Of the cuts stamped later than `time`, and of what is asked of a tool, what came first.
   std::size_t size() const;

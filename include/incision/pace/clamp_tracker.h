@@ -27,11 +27,11 @@ class ClampTracker {
   std::vector<LinkMove> follow(Nanoseconds now, Nanoseconds end, bool single);
 
   /// Nothing is known of any frame, until it is heard of again.
-  void restart();
+  void restart() noexcept;
 
   /// As those of a LinkTracker, of each clamp that has a frame.
   std::vector<FollowedLinkMemory> keep() const { return tracker_.keep(); }
-  void recall(const std::vector<FollowedLinkMemory>& memory);
+  void recall(const std::vector<FollowedLinkMemory>& memory) noexcept;
 
   /// How often, so far, a clamp stayed where it was because what is known of its frame was of no use.
   std::uint64_t ignored() const { return tracker_.ignored(); }

@@ -56,8 +56,9 @@ class Commands {
   std::vector<WaitingCut> takeCuts(Nanoseconds time) { return agenda_.takeCuts(time); }
   ToolInput takeTool(int tool, Nanoseconds time) { return agenda_.takeTool(tool, time); }
 
-  /// Forgets all that waits, and answers each cut with the reason. Tools are switched on then, or as `active` has them.
-  void refuseAll(const Refused& refused, const std::vector<bool>& active = {});
+  /// Forgets all that waits, and answers each cut with the reason. Tools are switched on then, or as `isActive`
+  /// says. Takes no memory from the heap.
+  void refuseAll(const Refused& refused, const IsActive& isActive = nullptr) noexcept;
 
   /// Commands so far that arrived after their stamp had been passed, and poses and angles left out.
   std::uint64_t late() const { return agenda_.late(); }

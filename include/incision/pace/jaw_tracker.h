@@ -36,11 +36,11 @@ class JawTracker {
   std::optional<double> follow(const std::vector<ReceivedAngle>& angles, Nanoseconds now, bool single);
 
   /// Nothing is known of the jaw any more: it is where the body has it, until it is told to go somewhere.
-  void restart();
+  void restart() noexcept;
 
   /// Goes on as if no time had passed since the step before keep(): its target is as old as then.
   JawTrackerMemory keep() const;
-  void recall(const JawTrackerMemory& memory);
+  void recall(const JawTrackerMemory& memory) noexcept;
 
  private:
   void resume(Nanoseconds now, bool single);

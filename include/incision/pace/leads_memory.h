@@ -14,9 +14,6 @@ namespace incision {
 struct LeadsMemory {
   std::vector<ToolGuideMemory> tools;
   std::vector<FollowedLinkMemory> obstacles, clamps;
-
-  /// Which tools do what their kind does.
-  std::vector<bool> active() const;
 };
 
 std::string toBytes(const LeadsMemory& memory);

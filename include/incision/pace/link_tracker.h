@@ -61,12 +61,12 @@ class LinkTracker {
   std::vector<LinkMove> follow(Nanoseconds now, Nanoseconds end);
 
   /// Each link is where it started, until it is heard of again.
-  void restart();
+  void restart() noexcept;
 
   /// Goes on as if no time had passed since the step before keep(): transforms are as old as then. `memory` is of as
   /// many links.
   std::vector<FollowedLinkMemory> keep() const;
-  void recall(const std::vector<FollowedLinkMemory>& memory);
+  void recall(const std::vector<FollowedLinkMemory>& memory) noexcept;
 
   /// Where the links are, or are going in the step asked for last; the identity where that is not known.
   const std::vector<Pose>& poses() const { return poses_; }

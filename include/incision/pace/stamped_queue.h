@@ -32,7 +32,12 @@ class StampedQueue {
     return takeFirst(std::find_if_not(entries_.begin(), entries_.end(), isDue) - entries_.begin());
   }
 
-  std::vector<T> takeAll() { return takeFirst(static_cast<std::ptrdiff_t>(entries_.size())); }
+  /// The first one; there must be one.
+  T takeNext() noexcept {
+    T next = std::move(entries_.front().thing);
+    entries_.pop_front();
+    return next;
+  }
 
   /// The last one; there must be one.
   T takeLast() {
@@ -50,6 +55,8 @@ class StampedQueue {
       if (gap(i) < gap(closest)) closest = i;
     entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(closest));
   }
+
+  void clear() noexcept { entries_.clear(); }
 
   std::size_t size() const { return entries_.size(); }
 

@@ -42,15 +42,16 @@ class StepInput {
   void setPaused(bool paused);
   bool paused() const { return paused_; }
 
-  /// Before a reset of the body: all that waits is refused, every cut among it with this reason, tools are taken away,
-  /// obstacles and clamps are where they were at first.
-  void restart(const Refused& refused);
+  /// After a reset of the body: all that waits is refused, every cut among it with this reason; tools are led from
+  /// their next poses on, obstacles and clamps from where they were at first.
+  void restart(const Refused& refused) noexcept;
 
   /// How it leads what moves, as far as that outlasts a step.
   LeadsMemory keep() const;
   /// After the body has been restored: all that waits is refused, every cut among it with this reason, and what moves
-  /// is led on; without a memory tools are taken over where they stand.
-  void recall(const std::optional<LeadsMemory>& memory, const Refused& refused);
+  /// is led on; without a memory tools are taken over where they stand. Takes no memory from the heap, since the body
+  /// could not be had back. `memory` is of as many tools, links and clamps.
+  void recall(std::optional<LeadsMemory> memory, const Refused& refused) noexcept;
 
   const std::vector<ToolGuide>& tools() const { return tools_; }
   /// Where the obstacles' links are, or are going in the step asked for last.
@@ -59,6 +60,7 @@ class StepInput {
   std::uint64_t ignored() const;
 
  private:
+  void takeOver() noexcept;
   bool stepDue() const;
   bool applyCuts(bool step_due);
   StepTime stepTime(SteadyTime now) const;

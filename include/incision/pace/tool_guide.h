@@ -39,13 +39,10 @@ class ToolGuide {
   /// Before a step: the tool goes where the poses have it.
   void lead(ToolInput input, const StepTime& time, DeformableBody* body);
 
-  /// Before a reset of the body: takes the tool away until the next pose.
-  void restart(DeformableBody* body);
-
   ToolGuideMemory keep() const { return {tracker_.keep(), jaw_.keep(), frame_stamp_, told_active_}; }
-  void recall(const ToolGuideMemory& memory);
+  void recall(ToolGuideMemory memory) noexcept;
   /// Goes on with a tool that stands there, if it is in place, and that nobody led.
-  void takeOver(const std::optional<Pose>& pose);
+  void takeOver(const std::optional<Pose>& pose) noexcept;
 
   /// Whether it does what it is for, after the last step.
   bool active() const { return active_; }

@@ -56,7 +56,7 @@ class ToolQueue {
   ToolInput take(Nanoseconds time);
 
   /// Forgets all but the count of poses left out, and whether the blade is on.
-  void clear(bool active);
+  void clear(bool active) noexcept;
 
   /// Poses and angles that wait; of those stamped later than `time` when the first one came.
   std::size_t size() const { return poses_.size() + jaw_.size(); }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -29,25 +28,20 @@ struct ToolMove {
 
 /// What of a ToolTracker outlasts a step.
 struct ToolTrackerMemory {
-  struct Waiting {
-    Pose pose;
-    bool active = true;   ///< the blade is on on the way there
-    Nanoseconds age = 0;  ///< at the step asked for last
-  };
-  std::vector<Waiting> waiting;
-  std::optional<Pose> last;  ///< newest pose that is on the way
-  bool active = true;        ///< the blade is on on the way to it
-  Nanoseconds age = 0;       ///< of it, at the step asked for last
-  Pose pose;                 ///< of the tool after that step
-  std::vector<Pose> way;     ///< from there
-  Approach approach;         ///< to its end
+  std::vector<ReceivedPose> waiting;  ///< their times less that of the step asked for last, so never above 0
+  std::optional<Pose> last;           ///< newest pose that is on the way
+  bool active = true;                 ///< the blade is on on the way to it
+  Nanoseconds age = 0;                ///< of it, at the step asked for last
+  Pose pose;                          ///< of the tool after that step
+  std::vector<Pose> way;              ///< from there
+  Approach approach;                  ///< to its end
   bool stale = false;
 };
 
+/// The receipt is forgotten.
 template <class Archive>
-void serialize(Archive& archive, ToolTrackerMemory::Waiting& waiting) {
-  auto& [pose, active, age] = waiting;
-  archive(pose, active, age);
+void serialize(Archive& archive, ReceivedPose& waiting) {
+  archive(waiting.pose, waiting.active, waiting.time);
 }
 
 template <class Archive>
@@ -73,11 +67,11 @@ class ToolTracker {
   ToolMove follow(const ToolInput& input, Nanoseconds now, bool single);
 
   /// There is no pose yet, or only a stale one at which the tool stands.
-  void restart(const std::optional<Pose>& at = std::nullopt);
+  void restart(const std::optional<Pose>& at = std::nullopt) noexcept;
 
   /// Goes on as if no time had passed since the step before keep(): its poses are as old as then.
   ToolTrackerMemory keep() const;
-  void recall(const ToolTrackerMemory& memory);
+  void recall(ToolTrackerMemory memory) noexcept;
 
   /// The newest pose is older than `tool.timeout`: the tool stays where it is, the rest of its way is dropped. It
   /// goes on with the next pose, in the same stroke unless that is a jump.
@@ -99,7 +93,7 @@ class ToolTracker {
   const Edge edge_;
   const double time_step_;
 
-  std::deque<ReceivedPose> waiting_;
+  std::vector<ReceivedPose> waiting_;
   std::optional<Pose> last_;  ///< newest pose that is on the way
   bool active_ = true;        ///< the blade is on on the way to it
   Nanoseconds last_time_ = 0;

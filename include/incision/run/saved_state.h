@@ -11,7 +11,7 @@ namespace incision {
 
 /// The number of the form in which bodies are saved. It grows with every change of what outlasts a step, and of the
 /// file round it.
-inline constexpr std::uint32_t STATE_FORMAT = 4;
+inline constexpr std::uint32_t STATE_FORMAT = 5;
 
 /// A body between two steps, as bytes.
 struct SavedState {
