@@ -84,7 +84,10 @@ run_tests() {
 # The tests of the node mostly wait, so there are more of them at a time than processors.
 quick() { prepare_node "all tests" && run_tests "$BUILD" quick $((2 * $(nproc))); }
 sanitizers() { prepare_sanitized tests && run_tests "$BUILD/sanitized" quick; }
-threads() { prepare_core threads thread_tests -DINCISION_SANITIZE=thread && run_tests "$BUILD/threads" threads 1; }
+threads() {
+  prepare_core threads thread_tests -DINCISION_SANITIZE=thread -DCMAKE_UNITY_BUILD=OFF &&
+    run_tests "$BUILD/threads" threads 1
+}
 fuzzers() { prepare_sanitized fuzzers && run_tests "$BUILD/sanitized" fuzz; }
 slow() { prepare_node "all tests full_tests" && run_tests "$BUILD" full; }
 realtime() { prepare_node "all tests" && run_tests "$BUILD" realtime 1; }

@@ -40,6 +40,22 @@ function(incision_compile target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:incision_flags>)
 endfunction()
 
+# What a folder's files have in common, most of what they include, is compiled once: together they are one unit, which
+# takes less than half the time. With CMAKE_UNITY_BUILD OFF each file is a unit of its own. The build of the thread
+# sanitizer is such: there one that includes too little is found.
+function(incision_unite target)
+  if(DEFINED CMAKE_UNITY_BUILD AND NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(path "${source}" ABSOLUTE)
+    get_filename_component(folder "${path}" DIRECTORY)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${folder}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # Headers of others that nearly every file of ours includes: read once, they save up to a third of the time that
 # compiling takes. ccache keeps no results of what is compiled so.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")

@@ -16,6 +16,7 @@ endif()
 
 add_library(incision_v3 ${core_sources})
 incision_compile(incision_v3)
+incision_unite(incision_v3)
 target_precompile_headers(incision_v3 PRIVATE ${INCISION_COMMON_HEADERS})
 foreach(property INCLUDE_DIRECTORIES LINK_LIBRARIES)
   get_target_property(value incision ${property})

@@ -43,6 +43,7 @@ endfunction()
 function(incision_test_program name library group)
   add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
   incision_compile(${name})
+  incision_unite(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/test")
   target_link_libraries(${name} PRIVATE ${library} CHOLMOD::CHOLMOD cereal::cereal nlohmann_json::nlohmann_json GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE

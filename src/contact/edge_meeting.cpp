@@ -9,7 +9,7 @@
 namespace incision {
 namespace {
 
-using Edge = ContactSurface::Edge;
+using SkinEdge = ContactSurface::Edge;
 
 /// Sine of the angle between two edges below which they run along each other: their ends then meet faces.
 constexpr double PARALLEL = 0.02;
@@ -21,7 +21,7 @@ constexpr double WEDGE = 0.01;
 constexpr double AT_END = 1e-3;
 
 /// Whether the faces beside an edge lie behind the plane through it with normal n.
-bool liesBehind(const SkinInStep& skin, const Edge& edge, const Vec3& n) {
+bool liesBehind(const SkinInStep& skin, const SkinEdge& edge, const Vec3& n) {
   const Vec3 from = skin.x[edge.from];
   for (int v : edge.opposite) {
     const Vec3 to = skin.x[v] - from;
@@ -33,7 +33,7 @@ bool liesBehind(const SkinInStep& skin, const Edge& edge, const Vec3& n) {
 }  // namespace
 
 std::optional<EdgeMeeting> meetEdges(const SkinInStep& skin, int edge, int other) {
-  const Edge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
+  const SkinEdge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
   const Vec3 a = skin.x[e.from], b = skin.x[f.from], d = a - b;
   const Vec3 u = skin.x[e.to] - a, v = skin.x[f.to] - b, across = u.cross(v);
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), square = across.squaredNorm();

@@ -31,17 +31,17 @@ struct Register<double> {
   using Type = double __attribute__((vector_size(32)));
 };
 template <typename T>
-using Lanes = typename Register<T>::Type;
+using RegisterOf = typename Register<T>::Type;
 
 // By reference: a register of four doubles cannot be returned alike on all processors.
 template <typename T>
-void load(const T* values, Lanes<T>* lanes) {
+void load(const T* values, RegisterOf<T>* lanes) {
   std::memcpy(lanes, values, sizeof *lanes);
 }
 
 template <typename T>
-void add(const Lanes<T>& more, T* values) {
-  Lanes<T> sum;
+void add(const RegisterOf<T>& more, T* values) {
+  RegisterOf<T> sum;
   load(values, &sum);
   sum += more;
   std::memcpy(values, &sum, sizeof sum);
@@ -58,7 +58,7 @@ class OuterProduct {
     second_ = __builtin_shufflevector(a_, a_, 1, 2, 0, 1);
   }
   void addTo(T* block, const T* with) const {
-    Lanes<T> b;
+    RegisterOf<T> b;
     load(with, &b);
     add<T>(first_ * __builtin_shufflevector(b, b, 0, 0, 0, 1), block);
     add<T>(second_ * __builtin_shufflevector(b, b, 1, 1, 2, 2), block + 4);
@@ -66,7 +66,7 @@ class OuterProduct {
   }
 
  private:
-  Lanes<T> a_, first_, second_;
+  RegisterOf<T> a_, first_, second_;
 };
 
 /// Adds g_I g_Jᵀ for the corners of a row, of those parts that are asked for, to its blocks.

@@ -13,13 +13,13 @@ constexpr int LEAST = 3;
 constexpr int MOST = 12;
 
 /// An edge and the elements of one region round it: elements[start] … elements[end − 1].
-struct Edge {
+struct ElementEdge {
   double length;
   int start, end;
 };
 
 /// All edges, the longest first; `elements` gets what they refer to.
-std::vector<Edge> edgesByLength(const TetMesh& mesh, const Regions& regions, std::vector<int>* elements) {
+std::vector<ElementEdge> edgesByLength(const TetMesh& mesh, const Regions& regions, std::vector<int>* elements) {
   std::vector<std::array<int, 4>> sides;  // two nodes, a region and an element
   for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e)
     for (const auto& [i, j] : EDGE_NODES) {
@@ -27,7 +27,7 @@ std::vector<Edge> edgesByLength(const TetMesh& mesh, const Regions& regions, std
       sides.push_back({low, high, regions.of(e), e});
     }
   std::sort(sides.begin(), sides.end());
-  std::vector<Edge> edges;
+  std::vector<ElementEdge> edges;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const auto& [i, j, region, e] = sides[k];
     if (k == 0 || sides[k - 1][0] != i || sides[k - 1][1] != j || sides[k - 1][2] != region)
@@ -35,7 +35,8 @@ std::vector<Edge> edgesByLength(const TetMesh& mesh, const Regions& regions, std
     edges.back().end = static_cast<int>(k) + 1;
     elements->push_back(e);
   }
-  std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.length > b.length; });
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const ElementEdge& a, const ElementEdge& b) { return a.length > b.length; });
   return edges;
 }
 
@@ -70,14 +71,14 @@ void giveAwayRest(const MeshTopology& topology, const Regions& regions, std::vec
 
 std::vector<int> edgeClusters(const TetMesh& mesh, const MeshTopology& topology, const Regions& regions) {
   std::vector<int> elements, cluster_of(mesh.elements.size(), -1), size;
-  const std::vector<Edge> edges = edgesByLength(mesh, regions, &elements);
-  const auto countFree = [&](const Edge& edge) {
+  const std::vector<ElementEdge> edges = edgesByLength(mesh, regions, &elements);
+  const auto countFree = [&](const ElementEdge& edge) {
     int count = 0;
     for (int k = edge.start; k < edge.end; ++k) count += cluster_of[elements[k]] < 0;
     return count;
   };
   for (int wanted = MOST; wanted >= LEAST; --wanted)
-    for (const Edge& edge : edges) {
+    for (const ElementEdge& edge : edges) {
       if (edge.end - edge.start < wanted || countFree(edge) != wanted) continue;
       for (int k = edge.start; k < edge.end; ++k)
         if (int& cluster = cluster_of[elements[k]]; cluster < 0) cluster = static_cast<int>(size.size());

@@ -44,7 +44,7 @@ void ClampTracker::checkAge(Nanoseconds now, std::size_t i) {
   } else if (stamp != followed.stamp) {
     followed.stamp = stamp;
     followed.since = now;
-  } else if (1e-9 * static_cast<double>(now - followed.since) > CLAMP_TIMEOUT) {
+  } else if (toSeconds(now - followed.since) > CLAMP_TIMEOUT) {
     complain_(followed.frame, "its last transform is older than " + std::to_string(CLAMP_TIMEOUT) + " s");
   }
 }

@@ -38,7 +38,7 @@ std::optional<double> JawTracker::follow(const std::vector<ReceivedAngle>& angle
   last_call_ = now;
   if (!angles.empty()) {
     const ReceivedAngle& newest = angles.back();
-    approach_.aim(1e-9 * static_cast<double>(newest.time - last_time_), time_step_);
+    approach_.aim(toSeconds(newest.time - last_time_), time_step_);
     if (!target_) approach_.arriveInOneStep();
     target_ = newest.angle;
     last_time_ = newest.time;

@@ -115,7 +115,7 @@ std::vector<LinkMove> LinkTracker::follow(Nanoseconds now, Nanoseconds end) {
 
 /// The link, which is where the move has it now, goes to the target from now on.
 void LinkTracker::aim(const StampedPose& target, Link* link, LinkMove* move) const {
-  const double period = 1e-9 * static_cast<double>(target.stamp - link->stamp);
+  const double period = toSeconds(target.stamp - link->stamp);
   const bool first = !link->found;
   link->stamp = target.stamp;
   link->found = true;

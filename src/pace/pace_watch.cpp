@@ -9,8 +9,6 @@ namespace {
 
 constexpr const char* SLOWER = "play a bag slower, or run it with incision_bag";
 
-double seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
-
 double secondsBetween(SteadyTime from, SteadyTime to) { return std::chrono::duration<double>(to - from).count(); }
 
 /// What a command waits for that is stamped later than the clock.
@@ -18,12 +16,12 @@ std::string waitsForStamp(Nanoseconds stamp, Nanoseconds clock) {
   std::ostringstream text;
   text.setf(std::ios::fixed);
   text.precision(3);
-  text << "its stamp, " << seconds(stamp);
+  text << "its stamp, " << toSeconds(stamp);
   if (clock == 0) {
     text << "; no /clock has come yet";
     return text.str();
   }
-  const double ahead = seconds(stamp - clock);
+  const double ahead = toSeconds(stamp - clock);
   text << ", which is " << ahead << " s ahead of the clock";
   if (ahead > OTHER_CLOCK) text << ": is it wall time, while the clock is simulated?";
   return text.str();

@@ -13,8 +13,6 @@ constexpr Nanoseconds ANY_TIME = std::numeric_limits<Nanoseconds>::max();
 /// Two times of ROS closer than this [ns] are the same.
 constexpr Nanoseconds SAME = 1;
 
-double seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
-
 }  // namespace
 
 WallPacer::WallPacer(double time_step) : time_step_(std::llround(1e9 * time_step)) {}
@@ -29,7 +27,7 @@ void WallPacer::update(SteadyTime now) {
 bool WallPacer::due() const { return now_ >= *next_; }
 
 void WallPacer::stepTaken() {
-  const SteadyTime now = std::chrono::steady_clock::now();
+  const SteadyTime now = steadyNow();
   const SteadyTime planned = next_ ? *next_ + time_step_ : now;
   next_ = std::max(planned, now);
   skipped_ += *next_ - planned;
@@ -71,13 +69,13 @@ bool ClockPacer::due() const { return anchored_ && nextStart() <= clock_ + SAME;
 
 void ClockPacer::advance(Nanoseconds clock) {
   const Nanoseconds last = std::exchange(clock_, clock);
-  const double advanced = seconds(clock - last);
+  const double advanced = toSeconds(clock - last);
   if (!anchored_) {
     anchor(clock);
   } else if (advanced < 0 || advanced > MAX_CLOCK_ADVANCE || lag() > max_lag_) {
     const Nanoseconds next = nextStart();
     anchor(clock);
-    skipped_ += std::max(0.0, seconds((advanced < 0 ? last : nextStart()) - next));
+    skipped_ += std::max(0.0, toSeconds((advanced < 0 ? last : nextStart()) - next));
   }
 }
 
@@ -98,6 +96,6 @@ Nanoseconds ClockPacer::nextStart() const { return anchored_ ? startOfStep(first
 
 Nanoseconds ClockPacer::clock() const { return clock_; }
 
-double ClockPacer::lag() const { return anchored_ ? std::max(0.0, seconds(clock_ - nextStart())) : 0; }
+double ClockPacer::lag() const { return anchored_ ? std::max(0.0, toSeconds(clock_ - nextStart())) : 0; }
 
 }  // namespace incision

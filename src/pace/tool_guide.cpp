@@ -70,7 +70,7 @@ void ToolGuide::addFrame(const StepTime& time, ToolInput* input) {
   const auto found = lookup_.find(settings_.frame, time.end);
   if (!found || (found->stamp != 0 && found->stamp == frame_stamp_)) return;
   frame_stamp_ = found->stamp;
-  input->poses.push_back({found->pose, time.start, std::chrono::steady_clock::now(), input->active});
+  input->poses.push_back({found->pose, time.start, steadyNow(), input->active});
 }
 
 }  // namespace incision

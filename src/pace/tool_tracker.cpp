@@ -7,12 +7,6 @@
 #include "incision/pace/pose_path.h"
 
 namespace incision {
-namespace {
-
-double seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
-
-}  // namespace
-
 ToolTracker::ToolTracker(const ToolSettings& tool, const Edge& edge, double time_step)
     : max_step_(tool.max_step), timeout_(tool.timeout), edge_(edge), time_step_(time_step) {}
 
@@ -48,7 +42,7 @@ ToolTrackerMemory ToolTracker::keep() const {
 
 void ToolTracker::recall(ToolTrackerMemory memory) noexcept {
   waiting_ = std::move(memory.waiting);
-  for (ReceivedPose& pose : waiting_) pose.received = std::chrono::steady_clock::now();
+  for (ReceivedPose& pose : waiting_) pose.received = steadyNow();
   last_ = memory.last;
   active_ = memory.active;
   last_time_ = -memory.age;
@@ -139,7 +133,7 @@ void ToolTracker::take(const ReceivedPose& pose, ToolMove* move) {
     approach_.stop();
   } else {
     way_.push_back(pose.pose);
-    approach_.aim(seconds(pose.time - last_time_), time_step_);
+    approach_.aim(toSeconds(pose.time - last_time_), time_step_);
   }
   last_ = pose.pose;
   last_time_ = pose.time;
@@ -147,7 +141,7 @@ void ToolTracker::take(const ReceivedPose& pose, ToolMove* move) {
 }
 
 void ToolTracker::checkAge(Nanoseconds now, ToolMove* move) {
-  if (!last_ || stale_ || !waiting_.empty() || seconds(now - last_time_) <= timeout_) return;
+  if (!last_ || stale_ || !waiting_.empty() || toSeconds(now - last_time_) <= timeout_) return;
   stale_ = move->went_stale = true;
   way_.clear();
   approach_.stop();

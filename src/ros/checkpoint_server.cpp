@@ -13,9 +13,7 @@ namespace incision {
 namespace {
 
 /// Least time [s] between two complaints of a disk that takes nothing.
-constexpr double WARNING_PERIOD = 10;
-
-SteadyTime now() { return std::chrono::steady_clock::now(); }
+constexpr double COMPLAINT_PERIOD = 10;
 
 }  // namespace
 
@@ -26,7 +24,7 @@ CheckpointServer::CheckpointServer(ros::NodeHandle& node, const NodeSettings& se
       tasks_(tasks),
       doors_(std::move(doors)),
       checkpoints_(settings.checkpoint_folder, key, settings.scene.solver.threads),
-      since_(now()),
+      since_(steadyNow()),
       save_service_(node.advertiseService("save", &CheckpointServer::saveService, this)),
       restore_service_(node.advertiseService("restore", &CheckpointServer::restoreService, this)) {}
 
@@ -72,17 +70,17 @@ void CheckpointServer::offer(SteadyTime now, std::uint64_t version) {
     saving_ = std::async(std::launch::async, [this, state = doors_.save()] { return autosave(state); });
     saved_ = at;
   } catch (const std::exception& error) {  // of memory, or of threads
-    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "could not be saved: " << whyOf(error));
+    ROS_WARN_STREAM_THROTTLE(COMPLAINT_PERIOD, "could not be saved: " << whyOf(error));
   }
 }
 
 std::optional<std::chrono::nanoseconds> CheckpointServer::autosave(const SavedState& state) {
-  const SteadyTime start = now();
+  const SteadyTime start = steadyNow();
   try {
     checkpoints_.autosave(state);
-    return now() - start;
+    return steadyNow() - start;
   } catch (const std::exception& error) {  // of the disk, or of memory
-    ROS_WARN_STREAM_THROTTLE(WARNING_PERIOD, "could not be saved, and is tried again: " << whyOf(error));
+    ROS_WARN_STREAM_THROTTLE(COMPLAINT_PERIOD, "could not be saved, and is tried again: " << whyOf(error));
     return std::nullopt;
   }
 }

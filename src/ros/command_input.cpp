@@ -8,8 +8,6 @@ ros::NodeHandle withQueue(ros::NodeHandle node, ros::CallbackQueue& queue) {
   return node;
 }
 
-SteadyTime now() { return std::chrono::steady_clock::now(); }
-
 }  // namespace
 
 CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, const DeformableBody& body,
@@ -26,7 +24,7 @@ CommandInput::CommandInput(ros::NodeHandle& node, const NodeSettings& settings, 
       ros::WallDuration(TRANSFORM_POLL),
       [this](const ros::WallTimerEvent&) {
         try {
-          commands_.poll(now());
+          commands_.poll(steadyNow());
         } catch (const std::bad_alloc&) {  // looked at again at the next poll
         }
         if (!commands_.waitForTransforms()) poll_.stop();
@@ -40,7 +38,7 @@ void CommandInput::subscribe(ros::NodeHandle& node, const std::string& topic, co
   subscribers_.push_back(node.subscribe<Message>(
       topic, MESSAGE_QUEUE,
       [this, receive](const boost::shared_ptr<const Message>& message) {
-        receive(*message, now());  // which answers what it has no memory for
+        receive(*message, steadyNow());  // which answers what it has no memory for
         if (commands_.waitForTransforms()) poll_.start();
       },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));

@@ -45,7 +45,7 @@ void Diagnostics::gather() {
 }
 
 void Diagnostics::run() {
-  SteadyTime next = std::chrono::steady_clock::now();
+  SteadyTime next = steadyNow();
   while (true) {
     next += std::chrono::duration_cast<SteadyTime::duration>(period_);
     wakeup_.waitUntil(next);

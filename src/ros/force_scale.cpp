@@ -7,7 +7,7 @@ namespace incision {
 namespace {
 
 /// Of the arrow of the largest force of late, in sizes of the body.
-constexpr double LONGEST = 1.0 / 3, SHORTEST = LONGEST / 10;
+constexpr double LONGEST_ARROW = 1.0 / 3, SHORTEST_ARROW = LONGEST_ARROW / 10;
 
 /// In this time [s] half of a force is forgotten: the blow of one step is, within some of it, and the pause between two
 /// cuts is not.
@@ -15,10 +15,10 @@ constexpr double HALF_LIFE = 5;
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above a value above 0.
 double stepBelow(double value) {
-  constexpr double ROUNDING = 1 + 1e-12;  // or a 2 may be taken for less
+  constexpr double A_LITTLE = 1 + 1e-12;  // or a 2 may be taken for less
   const double power = std::pow(10, std::floor(std::log10(value)));
   for (const double step : {5, 2})
-    if (step * power <= value * ROUNDING) return step * power;
+    if (step * power <= value * A_LITTLE) return step * power;
   return power;
 }
 
@@ -32,7 +32,8 @@ double ForceScale::at(double time, double force) {
   time_ = time;
   peak_ = std::max({faded, force, least_});
   const double length = scale_ * peak_;
-  if (length > LONGEST * size_ || length < SHORTEST * size_) scale_ = stepBelow(LONGEST * size_ / peak_);
+  if (length > LONGEST_ARROW * size_ || length < SHORTEST_ARROW * size_)
+    scale_ = stepBelow(LONGEST_ARROW * size_ / peak_);
   return scale_;
 }
 

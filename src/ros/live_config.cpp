@@ -24,7 +24,7 @@ void addTo(YAML::Node* map, const Parameters& parameters) {
   for (const auto& parameter : parameters) (*map)[parameter.name] = parameter.value;
 }
 
-YAML::Node toYaml(const dynamic_reconfigure::Config& message) {
+YAML::Node yamlOf(const dynamic_reconfigure::Config& message) {
   YAML::Node map(YAML::NodeType::Map);
   for (const auto& parameter : message.bools) map[parameter.name] = parameter.value != 0;
   addTo(&map, message.ints);
@@ -53,7 +53,7 @@ NodeLiveSettings changed(const NodeLiveSettings& now, const dynamic_reconfigure:
                          const std::string& source) {
   std::vector<std::string> keys = liveKeys();
   keys.insert(keys.end(), {"marker_rate", "marker_field"});
-  const YamlMap map = YamlValue(toYaml(message), source).map(keys);
+  const YamlMap map = YamlValue(yamlOf(message), source).map(keys);
   return {parseLiveSettings(map, now.body), parseMarkers(map, now.markers)};
 }
 

@@ -13,7 +13,7 @@ MarkerPublisher::MarkerPublisher(ros::NodeHandle& node, const NodeSettings& sett
 
 void MarkerPublisher::set(const MarkerSettings& settings) {
   field_ = settings.field;
-  next_ = settings.rate > 0 ? std::chrono::steady_clock::now() : SteadyTime::max();
+  next_ = settings.rate > 0 ? steadyNow() : SteadyTime::max();
   if (settings.rate == 0) return;
   period_ = std::chrono::nanoseconds(std::llround(1e9 / settings.rate));
   if (!thread_.joinable()) start();

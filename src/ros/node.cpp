@@ -36,8 +36,6 @@ TetMesh loadMeshAloud(const Scene& scene) {
   return mesh;
 }
 
-SteadyTime now() { return std::chrono::steady_clock::now(); }
-
 }  // namespace
 
 IncisionNode::IncisionNode()
@@ -83,7 +81,7 @@ IncisionNode::IncisionNode()
   if (auto* pacer = dynamic_cast<ClockPacer*>(pacer_.get()))
     clock_ = node_.subscribe<rosgraph_msgs::Clock>(
         "/clock", CLOCK_QUEUE, [this, pacer](const rosgraph_msgs::Clock::ConstPtr& message) {
-          guarded([&] { pacer->tick(now(), static_cast<Nanoseconds>(message->clock.toNSec())); });
+          guarded([&] { pacer->tick(steadyNow(), static_cast<Nanoseconds>(message->clock.toNSec())); });
           wakeup_.notify();
         });
   checkpoints_.restoreAtStart();
@@ -109,21 +107,21 @@ void IncisionNode::guarded(const Part& part) {
 }
 
 void IncisionNode::run() {
-  slowness_.restart(now());
+  slowness_.restart(steadyNow());
   while (!endAsked()) {
     bool changed = false;
     StepInput::Due due;
     guarded([&] { changed = tasks_.run(); });
-    guarded([&] { due = step_input_.update(now()); });
+    guarded([&] { due = step_input_.update(steadyNow()); });
     if (due.step) step();
     changed |= due.cut || due.step;
-    if (changed || now() >= next_heartbeat_) guarded([&] { publishState(); });
+    if (changed || steadyNow() >= next_heartbeat_) guarded([&] { publishState(); });
     publishing_.flush();
     guarded([&] { tellCondition(); });
-    guarded([&] { watch_.look(now()); });
+    guarded([&] { watch_.look(steadyNow()); });
     guarded([&] { tellSlowness(); });
-    guarded([&] { checkpoints_.offer(now(), body_.topologyVersion()); });
-    guarded([&] { markers_.offer(body_, step_input_.obstaclePoses(), last_step_, wantsRegionStress(), now()); });
+    guarded([&] { checkpoints_.offer(steadyNow(), body_.topologyVersion()); });
+    guarded([&] { markers_.offer(body_, step_input_.obstaclePoses(), last_step_, wantsRegionStress(), steadyNow()); });
     if (!due.step) wakeup_.waitUntil(std::min({pacer_->nextUpdate(), markers_.nextOffer(), next_heartbeat_}));
   }
 }
@@ -133,7 +131,7 @@ void IncisionNode::step() {
   if (taken) {
     step_input_.stepTaken();
     guarded([&] {
-      real_time_factor_.add(now(), body_.time());
+      real_time_factor_.add(steadyNow(), body_.time());
       diagnostics_.stepTaken(last_step_);
       slowness_.stepTaken(last_step_);
       if (const auto pace = first_steps_.add(last_step_.step_ms)) reporter_.inform(*pace);
@@ -144,7 +142,7 @@ void IncisionNode::step() {
 
 bool IncisionNode::tryStep() {
   try {
-    step_input_.lead(now());
+    step_input_.lead(steadyNow());
     body_.wantWrenches(markers_.wantsContacts());
     last_step_ = body_.step();
   } catch (const std::bad_alloc&) {
@@ -210,7 +208,7 @@ void IncisionNode::startAnew() {
 
 void IncisionNode::restartPace() {
   real_time_factor_.restart();
-  slowness_.restart(now());
+  slowness_.restart(steadyNow());
 }
 
 SavedState IncisionNode::save() const {
@@ -232,7 +230,7 @@ void IncisionNode::restore(const SavedState& state) {
 bool IncisionNode::wantsRegionStress() const { return !body_.materials().regions().areOne() && state_.wanted(); }
 
 void IncisionNode::publishState() {
-  next_heartbeat_ = now() + HEARTBEAT;
+  next_heartbeat_ = steadyNow() + HEARTBEAT;
   if (!state_.wanted()) return;
   BodyState state;
   state.header.stamp = ros::Time::now();
@@ -279,7 +277,8 @@ void IncisionNode::tellCondition() {
 void IncisionNode::tellSlowness() {
   if (step_input_.paused() || pacer_->goesByStamps()) return;
   const auto machine_threads = static_cast<int>(std::thread::hardware_concurrency());
-  if (const auto said = slowness_.look(now(), body_.live().threads, machine_threads)) reporter_.warn("pace", *said);
+  if (const auto said = slowness_.look(steadyNow(), body_.live().threads, machine_threads))
+    reporter_.warn("pace", *said);
 }
 
 /// Between steps.

@@ -4,7 +4,7 @@ namespace incision {
 namespace {
 
 /// How long to wait for memory where there was none for a message.
-constexpr std::chrono::milliseconds MEMORY_PAUSE(100);
+constexpr std::chrono::milliseconds PAUSE(100);
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void PublishingThread::sendAll() {
 void PublishingThread::run() {
   while (!stopping_) {
     const bool sent = trySendAll();
-    wakeup_.waitUntil(sent ? SteadyTime::max() : std::chrono::steady_clock::now() + MEMORY_PAUSE);
+    wakeup_.waitUntil(sent ? SteadyTime::max() : steadyNow() + PAUSE);
   }
   trySendAll();
 }

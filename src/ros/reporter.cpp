@@ -117,7 +117,7 @@ void Reporter::warnOfRefused(const std::string& about, const std::string& what, 
 
 void Reporter::warn(const std::string& about, const std::string& text) {
   tellIfPossible([&] {
-    if (throttle_.lets(about, std::chrono::steady_clock::now())) ROS_WARN_STREAM(text);
+    if (throttle_.lets(about, steadyNow())) ROS_WARN_STREAM(text);
   });
 }
 

@@ -25,7 +25,7 @@ sensor_msgs::PointField field(const char* name, std::size_t offset, std::uint8_t
   return field;
 }
 
-std::vector<sensor_msgs::PointField> fields() {
+std::vector<sensor_msgs::PointField> vertexFields() {
   using Field = sensor_msgs::PointField;
   std::vector<Field> all;
   std::size_t offset = 0;
@@ -71,7 +71,7 @@ sensor_msgs::PointCloud2 toCloud(const Surface& surface, const std::vector<Vec3>
   cloud.header.stamp = stamp;
   cloud.height = 1;
   cloud.width = static_cast<std::uint32_t>(points.size());
-  cloud.fields = fields();
+  cloud.fields = vertexFields();
   cloud.point_step = sizeof(Point);
   cloud.row_step = cloud.point_step * cloud.width;
   cloud.is_dense = true;

@@ -51,7 +51,7 @@ void ToolPublisher::publish(const StepResult& step, const DeformableBody& body, 
     publishWrench(ToolReport(), ros::Time());
   valid_ = valid;
   const auto& received = guide.received();
-  latency_ = received ? std::chrono::duration<double>(std::chrono::steady_clock::now() - *received).count() : 0;
+  latency_ = received ? std::chrono::duration<double>(steadyNow() - *received).count() : 0;
 }
 
 void ToolPublisher::publishPose(const Pose& pose, const ros::Time& stamp) {

@@ -4,7 +4,7 @@ namespace incision {
 namespace {
 
 /// What must be left of a vector's square when the ones before it are taken out: the products are sums of floats.
-constexpr double LEAST_SHARE = 1e-5;
+constexpr double LEAST_REST = 1e-5;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ BasisVector bestCombination(const BasisMatrix& G, const BasisVector& h) {
   for (int j = 0; j < BASIS_SIZE; ++j) {
     double d = G(j, j);
     for (int k = 0; k < j; ++k) d -= L(j, k) * L(j, k) * D[k];
-    const bool dropped = !(d > LEAST_SHARE * G(j, j));
+    const bool dropped = !(d > LEAST_REST * G(j, j));
     D[j] = dropped ? 0 : d;
     for (int i = j + 1; i < BASIS_SIZE; ++i) {
       double l = G(i, j);

@@ -21,27 +21,27 @@ constexpr double GOOD_ENOUGH = 1e-2;
 using Block = Eigen::Matrix<double, MODES, MODES>;
 using Motions = Eigen::VectorXd;  // of each piece its velocity [m/s], and its rate of turning [1/s]
 
-/// What a spring sees of a piece's rigid motions.
-struct End {
-  int piece;  // among those that springs act on
-  ModesSeen seen;
-
-  Vec3 wayOf(const Motions& q) const {
-    return seen.a * q.segment<3>(MODES * piece) + q.segment<3>(MODES * piece + 3).cross(seen.b);
-  }
-};
-
-/// What is solved for the pieces' motions. It is made anew for every guess: vectors of Eigen do not survive a change of
-/// their size for which there is no memory, as they then free what they had a second time.
-struct Equations {
-  Eigen::SparseMatrix<double> matrix;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
-  Motions driving, q, right, step;
-};
-
 }  // namespace
 
 struct RigidGuess::Work {
+  /// What a spring sees of a piece's rigid motions.
+  struct End {
+    int piece;  // among those that springs act on
+    ModesSeen seen;
+
+    Vec3 wayOf(const Motions& q) const {
+      return seen.a * q.segment<3>(MODES * piece) + q.segment<3>(MODES * piece + 3).cross(seen.b);
+    }
+  };
+
+  /// What is solved for the pieces' motions. It is made anew for every guess: vectors of Eigen do not survive a change
+  /// of their size for which there is no memory, as they then free what they had a second time.
+  struct Equations {
+    Eigen::SparseMatrix<double> matrix;
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
+    Motions driving, q, right, step;
+  };
+
   std::vector<int> number;                 // of each piece among those that springs act on; −1: none does
   std::vector<int> piece;                  // of each number
   Lists<End> ends;                         // of each spring
@@ -88,7 +88,7 @@ void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std
   if (w.piece.empty()) return;
   for (std::size_t c = 0; c < x.size(); ++c) {
     const int piece = rigid.pieceOf(c), number = w.number[static_cast<std::size_t>(piece)];
-    if (number >= 0) (*dv)[c] += End{number, {1, x[c] - rigid.centreOf(piece)}}.wayOf(w.equations->q);
+    if (number >= 0) (*dv)[c] += Work::End{number, {1, x[c] - rigid.centreOf(piece)}}.wayOf(w.equations->q);
   }
 }
 

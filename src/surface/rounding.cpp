@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "incision/base/disjoint_sets.h"
+#include "incision/surface/vertex_fields.h"
 
 namespace incision {
 namespace {
@@ -17,11 +18,6 @@ constexpr double SHARP = 0.87;
 /// The cosine of the turn, now, down to which a side bends in full; at 0, a right angle, it no longer does. So a fold
 /// in the skin is drawn as a fold, and nothing jumps while it comes.
 constexpr double BENDS_IN_FULL = 0.5;
-
-Vec3 vectorArea(const std::array<int, 3>& triangle, const std::vector<Vec3>& x) {
-  const Vec3& a = x[triangle[0]];
-  return 0.5 * (x[triangle[1]] - a).cross(x[triangle[2]] - a);
-}
 
 std::vector<Vec3> triangleNormals(const Surface& surface, const std::vector<Vec3>& x) {
   std::vector<Vec3> normals;

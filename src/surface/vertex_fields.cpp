@@ -4,14 +4,10 @@
 #include <algorithm>
 
 namespace incision {
-namespace {
-
 Vec3 vectorArea(const std::array<int, 3>& triangle, const std::vector<Vec3>& x) {
   const Vec3& a = x[triangle[0]];
   return 0.5 * (x[triangle[1]] - a).cross(x[triangle[2]] - a);
 }
-
-}  // namespace
 
 std::vector<Vec3> vertexNormals(const Surface& surface, const std::vector<Vec3>& x) {
   std::vector<Vec3> normals(x.size(), Vec3::Zero());

@@ -11,17 +11,12 @@
 #include "support/failing_solver.h"
 #include "support/forceps.h"
 #include "support/sanitized.h"
+#include "support/scenes.h"
 #include "support/tool.h"
 #include "support/turning.h"
 
 namespace incision::test {
 namespace {
-
-std::string bytesOf(const DeformableBody& body) {
-  std::ostringstream bytes;
-  body.save(bytes);
-  return bytes.str();
-}
 
 void restore(DeformableBody* body, const std::string& bytes) { body->restore(bytes); }
 

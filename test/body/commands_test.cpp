@@ -10,11 +10,10 @@ namespace incision {
 namespace {
 
 using test::clampLeftEnd;
+using test::makeBody;
 using test::plane;
 using test::rectangle;
 using test::softBar;
-
-DeformableBody makeBody(const Scene& scene) { return DeformableBody(scene, loadMesh(scene)); }
 
 Scene swinging(Method method, int threads, Mass mass = Mass::LUMPED) {
   Scene scene = softBar();

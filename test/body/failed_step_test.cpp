@@ -59,7 +59,7 @@ Scene turningBlade() {
   return scene;
 }
 
-Pose turned(double share) {
+Pose turnedBy(double share) {
   return {Vec3(-0.02 + 0.1 * share, 0.21, 0), Eigen::Quaterniond(Eigen::AngleAxisd(1.5 * share, Vec3::UnitZ()))};
 }
 
@@ -68,11 +68,11 @@ Vec3 inBody(const Vec3& vector, const Pose& pose) { return pose.orientation * ve
 // The direct solve of the whole step fails, those of its halves do not.
 TEST(HalvedStep, TellsTheWrenchThatTheMomentumTells) {
   Fallible one(turningBlade());
-  one.body.placeTool(turned(0));
+  one.body.placeTool(turnedBy(0));
   double most = 0;
   for (int k = 1; k <= 10; ++k) {
     const Pose from = *one.body.toolPose();
-    one.body.guideTool({turned(k / 10.0)});
+    one.body.guideTool({turnedBy(k / 10.0)});
     const Vec3 before = one.body.motion().momentum;
     one.failures.fail({0});
     const StepResult result = one.body.step();
@@ -109,15 +109,15 @@ TEST(FailedSteps, AreTakenWithThePathThatTheToolHadBefore) {
   const Scene scene = turningBlade();
   Fallible failing(scene), twin(scene);
   for (Fallible* one : {&failing, &twin}) {
-    one->body.placeTool(turned(0));
-    one->body.guideTool({turned(0.2), turned(0.4)});
+    one->body.placeTool(turnedBy(0));
+    one->body.guideTool({turnedBy(0.2), turnedBy(0.4)});
   }
   failing.failOnce(ALL);
-  failing.body.guideTool({turned(0.5)});
-  twin.body.guideTool({turned(0.5)});
+  failing.body.guideTool({turnedBy(0.5)});
+  twin.body.guideTool({turnedBy(0.5)});
   failing.body.step();
   twin.body.step();
-  EXPECT_EQ(failing.body.toolPose()->position, turned(0.5).position);
+  EXPECT_EQ(failing.body.toolPose()->position, turnedBy(0.5).position);
   EXPECT_EQ(failing.body.counts().parts, twin.body.counts().parts);
   EXPECT_LT(largestDifference(failing.body.positions(), twin.body.positions()), 1e-9);
 }

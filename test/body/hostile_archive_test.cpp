@@ -8,15 +8,10 @@
 #include "incision/base/input_error.h"
 #include "support/broken_plate.h"
 #include "support/sanitized.h"
+#include "support/scenes.h"
 
 namespace incision::test {
 namespace {
-
-std::string bytesOf(const DeformableBody& body) {
-  std::ostringstream bytes;
-  body.save(bytes);
-  return bytes.str();
-}
 
 // Words of the bytes are replaced by what hurts most: the greatest numbers, the least, those beside others.
 TEST(HostileBytes, AreRefusedOrMakeABodyThatSteps) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/contacts.h"
+#include "support/scenes.h"
 
 namespace incision::test {
 namespace {
@@ -10,8 +11,6 @@ Scene withIntegrator(Scene scene, Integrator integrator) {
   scene.solver.integrator = integrator;
   return scene;
 }
-
-DeformableBody makeBody(const Scene& scene) { return DeformableBody(scene, loadMesh(scene)); }
 
 Scene swingingWithCuts(Integrator integrator) {
   Scene scene = withIntegrator(softBar(), integrator);

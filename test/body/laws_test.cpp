@@ -13,14 +13,13 @@ namespace incision {
 namespace {
 
 using test::clampLeftEnd;
+using test::makeBody;
 using test::plane;
 using test::rectangle;
 using test::softBar;
 
 const Material TISSUE = {1e5, 0.3, 1000, 0, 0};
 const GridSettings BAR = *softBar().body.grid;
-
-DeformableBody makeBody(const Scene& scene) { return DeformableBody(scene, loadMesh(scene)); }
 
 // A body held at its left, falling and cut.
 Scene cutInMotion(Method method, int threads) {

@@ -11,14 +11,6 @@
 namespace incision::test {
 namespace {
 
-DeformableBody bodyOf(const Scene& scene) { return DeformableBody(scene, loadMesh(scene)); }
-
-std::string bytesOf(const DeformableBody& body) {
-  std::ostringstream bytes;
-  body.save(bytes);
-  return bytes.str();
-}
-
 /// A bar that a blade cuts into, against resistance that is another in its outer half.
 Scene bladedBar() {
   Scene scene = swingingBar({12, 3, 3}, 1e5);
@@ -78,7 +70,7 @@ void change(DeformableBody* body, const Change& how) {
   body->set(live);
 }
 
-constexpr int STEPS = 14;
+constexpr int LIVE_STEPS = 14;
 
 class SetAnew : public ::testing::TestWithParam<std::pair<const std::string, Change>> {};
 
@@ -90,10 +82,10 @@ TEST_P(SetAnew, AtTheStartIsAsSaidByTheScene) {
     scene.solver.integrator = integrator;
     Scene said = scene;
     GetParam().second.said(&said);
-    DeformableBody body = bodyOf(scene), other = bodyOf(said);
+    DeformableBody body = makeBody(scene), other = makeBody(said);
     change(&body, GetParam().second);
-    runGuided(&body, STEPS);
-    runGuided(&other, STEPS);
+    runGuided(&body, LIVE_STEPS);
+    runGuided(&other, LIVE_STEPS);
     EXPECT_EQ(body.stateHash(), other.stateHash());
     EXPECT_EQ(body.motion().potential_energy, other.motion().potential_energy);
   }
@@ -102,24 +94,24 @@ TEST_P(SetAnew, AtTheStartIsAsSaidByTheScene) {
 TEST_P(SetAnew, OutlastsAReset) {
   Scene said = bladedBar();
   GetParam().second.said(&said);
-  DeformableBody body = bodyOf(bladedBar()), other = bodyOf(said);
+  DeformableBody body = makeBody(bladedBar()), other = makeBody(said);
   runGuided(&body, 3);
   change(&body, GetParam().second);
   body.reset();
-  runGuided(&body, STEPS);
-  runGuided(&other, STEPS);
+  runGuided(&body, LIVE_STEPS);
+  runGuided(&other, LIVE_STEPS);
   EXPECT_EQ(body.stateHash(), other.stateHash());
 }
 
 TEST_P(SetAnew, IsSavedWithTheBody) {
-  DeformableBody body = bodyOf(bladedBar()), other = bodyOf(bladedBar());
-  runGuided(&body, STEPS / 2);
+  DeformableBody body = makeBody(bladedBar()), other = makeBody(bladedBar());
+  runGuided(&body, LIVE_STEPS / 2);
   change(&body, GetParam().second);
   runGuided(&body, 2);
   other.restore(bytesOf(body));
   EXPECT_EQ(other.live().threads, bladedBar().solver.threads);
-  runGuided(&body, STEPS);
-  runGuided(&other, STEPS);
+  runGuided(&body, LIVE_STEPS);
+  runGuided(&other, LIVE_STEPS);
   EXPECT_EQ(body.stateHash(), other.stateHash());
 }
 
@@ -129,10 +121,10 @@ INSTANTIATE_TEST_SUITE_P(Of, SetAnew, ::testing::ValuesIn(CHANGES.begin(), CHANG
 // Or the tests above would show nothing.
 TEST(SettingAnew, ChangesWhatTheBodyDoes) {
   const auto hashAfter = [](const Change& how) {
-    DeformableBody body = bodyOf(bladedBar());
-    runGuided(&body, STEPS / 2);
+    DeformableBody body = makeBody(bladedBar());
+    runGuided(&body, LIVE_STEPS / 2);
     change(&body, how);
-    runGuided(&body, STEPS / 2);
+    runGuided(&body, LIVE_STEPS / 2);
     return body.stateHash();
   };
   const std::uint64_t unchanged = hashAfter(CHANGES.at("Nothing"));
@@ -142,8 +134,8 @@ TEST(SettingAnew, ChangesWhatTheBodyDoes) {
 }
 
 TEST(SettingAnew, ACuttingForceOfNoneFreesTheEdge) {
-  DeformableBody body = bodyOf(bladedBar());
-  runGuided(&body, STEPS);
+  DeformableBody body = makeBody(bladedBar());
+  runGuided(&body, LIVE_STEPS);
   LiveSettings live = body.live();
   live.cutting_force_factor = 0;
   body.set(live);
@@ -152,7 +144,7 @@ TEST(SettingAnew, ACuttingForceOfNoneFreesTheEdge) {
 }
 
 TEST(SettingAnew, WhatTheSceneCouldNotSayIsRefused) {
-  DeformableBody body = bodyOf(bladedBar());
+  DeformableBody body = makeBody(bladedBar());
   const LiveSettings before = body.live();
   LiveSettings wrong = before;
   wrong.tolerance = 1;

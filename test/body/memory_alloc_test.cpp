@@ -18,12 +18,6 @@ namespace {
 /// Steps that are compared after the call.
 constexpr int STEPS_AFTER = 3;
 
-std::string saved(const DeformableBody& body) {
-  std::ostringstream out;
-  body.save(out);
-  return out.str();
-}
-
 /// What there is to see of a body, but for what it takes memory to tell.
 struct Seen {
   std::uint64_t hash = 0;
@@ -67,7 +61,7 @@ class Disturbed {
   explicit Disturbed(const Scenario& scenario) : scenario_(scenario) {
     DeformableBody body(scenario.scene, loadMesh(scenario.scene), scenario.descriptions);
     run(&body, scenario.steps_before);
-    start_ = saved(body);
+    start_ = bytesOf(body);
     before_ = seen(body);
     after_ = goOn(&body);
   }
@@ -203,7 +197,7 @@ std::vector<Scenario> scenarios() {
   const auto twin = std::make_shared<DeformableBody>(free, loadMesh(free));
   run(twin.get(), 9);
   all.push_back(
-      {"restore", free, {}, 6, [bytes = saved(*twin)](DeformableBody* body, std::string*) { body->restore(bytes); }});
+      {"restore", free, {}, 6, [bytes = bytesOf(*twin)](DeformableBody* body, std::string*) { body->restore(bytes); }});
   return all;
 }
 

@@ -8,7 +8,7 @@
 namespace incision::test {
 namespace {
 
-constexpr double EXACT = 1e-10;
+constexpr double BALANCED = 1e-10;
 
 Scene swingingSoftBar() {
   Scene scene = softBar();
@@ -34,7 +34,7 @@ double expectBalance(DeformableBody* body, const Vec3& loads = Vec3::Zero()) {
   const Vec3 outside = weight + loads - allForcesOn(body->wrenches());
   double largest = weight.norm();
   for (const Wrench& wrench : body->wrenches().clamps) largest = std::max(largest, wrench.force.norm());
-  EXPECT_LT((rate - outside).norm(), EXACT * largest) << body->steps();
+  EXPECT_LT((rate - outside).norm(), BALANCED * largest) << body->steps();
   return largest;
 }
 
@@ -159,9 +159,9 @@ TEST(Wrenches, OfAClampAreAboutTheOriginOfItsFrame) {
   }
   const Wrench &about_body = one.wrenches().clamps[0], &about_frame = other.wrenches().clamps[0];
   EXPECT_GT(about_body.force.norm(), 1);
-  EXPECT_LT((about_frame.force - about_body.force).norm(), EXACT * about_body.force.norm());
+  EXPECT_LT((about_frame.force - about_body.force).norm(), BALANCED * about_body.force.norm());
   EXPECT_LT((about_frame.torque + frame.position.cross(about_body.force) - about_body.torque).norm(),
-            EXACT * about_body.torque.norm());
+            BALANCED * about_body.torque.norm());
 }
 
 TEST(Wrenches, AreFoundOnlyWhereTheyAreWantedAndChangeNothing) {
@@ -199,7 +199,7 @@ TEST(ContactPoints, TellWhereTheGroundBearsTheBody) {
     sum += point.force;
     deepest = std::max(deepest, point.depth);
   }
-  EXPECT_LT((sum + wrenches.ground.force).norm(), EXACT * sum.norm());
+  EXPECT_LT((sum + wrenches.ground.force).norm(), BALANCED * sum.norm());
   EXPECT_GT(deepest, 0);
 }
 

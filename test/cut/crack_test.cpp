@@ -15,8 +15,8 @@ using test::DeformedMesh;
 using test::plane;
 using test::rectangle;
 
-const GridSettings CUBE = {{2, 2, 2}, Vec3::Ones(), Vec3::Zero()};
-constexpr double EDGE = 0.5;  // shortest edge of CUBE
+const GridSettings SMALL_CUBE = {{2, 2, 2}, Vec3::Ones(), Vec3::Zero()};
+constexpr double EDGE = 0.5;  // shortest edge of SMALL_CUBE
 
 TEST(PlaneCut, WithoutFiniteNumbersOrADirectionIsInvalid) {
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200};
@@ -42,7 +42,7 @@ TEST(PlaneCut, NeedsATangentOnlyWhenBounded) {
 
 TEST(PlaneField, IsTheSignedDistanceOfTheCopiesCurrentPositions) {
   test::Random random(4);
-  DeformedMesh body(gridMesh(CUBE));
+  DeformedMesh body(gridMesh(SMALL_CUBE));
   body.shake(0.2, &random);
   const PlaneCut cut = plane(Vec3(0.1, 0.2, 0.3), Vec3(3, -4, 12));
   const CrackField field = planeField(cut, body.mesh, body.x);
@@ -52,7 +52,7 @@ TEST(PlaneField, IsTheSignedDistanceOfTheCopiesCurrentPositions) {
 }
 
 TEST(PlaneField, LengthGoesAlongTheTangentAndWidthAcross) {
-  DeformedMesh body(gridMesh(CUBE));
+  DeformedMesh body(gridMesh(SMALL_CUBE));
   // What the tangent has along the normal does not count.
   const CrackField field =
       planeField(rectangle(Vec3::Constant(0.5), Vec3::UnitZ(), Vec3(1, 0, 5), 0.8, 0.2), body.mesh, body.x);
@@ -77,14 +77,14 @@ TEST(PlaneField, LengthGoesAlongTheTangentAndWidthAcross) {
 
 TEST(Snap, APlaneWithinSnapOfNodesGoesThroughThem) {
   for (double offset : {0.0, 0.9 * SNAP * EDGE, -0.9 * SNAP * EDGE}) {
-    DeformedMesh body(gridMesh(CUBE));
+    DeformedMesh body(gridMesh(SMALL_CUBE));
     const Insertion done = body.cut(plane(Vec3(0.5 + offset, 0, 0), Vec3::UnitX()));
     EXPECT_EQ(done.parts_split, 0);
     EXPECT_EQ(done.faces_severed, 8);
     EXPECT_EQ(done.copies_added, 9);
     EXPECT_EQ(body.pieces(), 2);
   }
-  DeformedMesh body(gridMesh(CUBE));
+  DeformedMesh body(gridMesh(SMALL_CUBE));
   EXPECT_GT(body.cut(plane(Vec3(0.5 + 1.1 * SNAP * EDGE, 0, 0), Vec3::UnitX())).parts_split, 0);
   EXPECT_EQ(body.pieces(), 2);
 }
@@ -112,7 +112,7 @@ TEST(Sever, NeedsPartsOnOppositeSides) {
 
 TEST(Sever, APlaneAlongTheSkinDoesNothing) {
   for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0)}) {
-    DeformedMesh body(gridMesh(CUBE));
+    DeformedMesh body(gridMesh(SMALL_CUBE));
     EXPECT_FALSE(body.cut(plane(Vec3::Zero(), normal)).changed());
     EXPECT_EQ(body.mesh.numCracks(), 0);
   }
@@ -132,11 +132,11 @@ int sideOfOwnCopy(const CutMesh& mesh, int node, const Vec3& point, const Vec3& 
   return positive && negative ? 0 : positive ? 1 : -1;
 }
 
-constexpr int MIDDLE = (1 * 3 + 1) * 3 + 1;  // node (½, ½, ½) of CUBE
+constexpr int MIDDLE = (1 * 3 + 1) * 3 + 1;  // node (½, ½, ½) of SMALL_CUBE
 
 TEST(OwnCopy, OfANodeOnACrackIsThePositiveOne) {
   for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, -1), Vec3(1, 2, -0.5), Vec3(-1, -2, 0.5)}) {
-    DeformedMesh body(gridMesh(CUBE));
+    DeformedMesh body(gridMesh(SMALL_CUBE));
     body.cut(plane(Vec3::Constant(0.5), normal));
     EXPECT_EQ(sideOfOwnCopy(body.mesh, MIDDLE, Vec3::Constant(0.5), normal), 1);
   }
@@ -144,7 +144,7 @@ TEST(OwnCopy, OfANodeOnACrackIsThePositiveOne) {
 
 TEST(OwnCopy, OfANodeOnSeveralCracksIsPositiveInTheirOrder) {
   const Vec3 first(1, 0.3, 0.2), second(-0.2, 1, 0.4), third(0.1, -0.3, 1);
-  DeformedMesh body(gridMesh(CUBE));
+  DeformedMesh body(gridMesh(SMALL_CUBE));
   for (const Vec3& normal : {first, second, third}) body.cut(plane(Vec3::Constant(0.5), normal));
   EXPECT_EQ(body.pieces(), 8);
   for (const Vec3& normal : {first, second, third})
@@ -155,7 +155,7 @@ TEST(OwnCopy, PrefersTheEarlierCrackWhereBothCannotBePositive) {
   const int edge_node = (0 * 3 + 1) * 3 + 1;  // (0, ½, ½): beyond it there is no material with x < 0
   const Vec3 point(0, 0.5, 0.5), up(-1, 1, 0), down(-1, -1, 0);
   for (const auto& [first, second] : {std::pair(up, down), std::pair(down, up)}) {
-    DeformedMesh body(gridMesh(CUBE));
+    DeformedMesh body(gridMesh(SMALL_CUBE));
     body.cut(plane(point, first));
     body.cut(plane(point, second));
     EXPECT_EQ(body.pieces(), 3);
@@ -167,8 +167,8 @@ TEST(OwnCopy, PrefersTheEarlierCrackWhereBothCannotBePositive) {
 TEST(OwnCopy, OfANodeOffTheCrackIsThatOfThePartsThatHoldIt) {
   test::Random random(5);
   for (int run = 0; run < 50; ++run) {
-    DeformedMesh body(test::jitteredGrid(CUBE, 0.2, &random));
-    const PlaneCut cut = random.plane(CUBE);
+    DeformedMesh body(test::jitteredGrid(SMALL_CUBE, 0.2, &random));
+    const PlaneCut cut = random.plane(SMALL_CUBE);
     const CrackField field = planeField(cut, body.mesh, body.x);
     body.cut(cut);
     for (int n = 0; n < 27; ++n)

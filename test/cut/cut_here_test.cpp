@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "incision/cut/section.h"
+#include "support/cuts.h"
 #include "support/deformed_mesh.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -16,7 +17,6 @@ using test::DeformedMesh;
 using test::plane;
 using test::rectangle;
 
-const GridSettings CUBE = {{4, 4, 4}, Vec3::Ones(), Vec3::Zero()};
 constexpr double FACES = 0.5;    // a plane of the cube's mesh faces [m]
 constexpr double THROUGH = 0.6;  // a plane through its elements [m]
 constexpr double DISTANCE = 0.05;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/cut_laws.h"
+#include "support/cuts.h"
 #include "support/deformed_mesh.h"
 #include "support/scenes.h"
 
@@ -12,8 +13,6 @@ namespace {
 using test::DeformedMesh;
 using test::plane;
 using test::rectangle;
-
-const GridSettings CUBE = {{4, 4, 4}, Vec3::Ones(), Vec3::Zero()};
 
 TEST(CutMesh, UncutIsOnePartAnElementAndOneCopyANode) {
   const DeformedMesh cube(gridMesh(CUBE));

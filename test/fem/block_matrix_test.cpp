@@ -12,7 +12,7 @@
 namespace incision {
 namespace {
 
-const Material TISSUE = {1e5, 0.4, 1100, 0, 0};
+const Material BLOCK_TISSUE = {1e5, 0.4, 1100, 0, 0};
 
 // Some of the copies lie in one region, some in another, some at the border.
 std::vector<RegionSettings> stiffUpperCorner() {
@@ -32,7 +32,7 @@ struct Tissue {
 class SystemMatrix : public ::testing::TestWithParam<Tissue> {
  protected:
   SystemMatrix() : rig(block({2, 2, 1}, Vec3(0.6, 0.5, 0.3)), {}) {
-    if (GetParam().in_regions) materials = Materials(rig.mesh.mesh(), TISSUE, stiffUpperCorner());
+    if (GetParam().in_regions) materials = Materials(rig.mesh.mesh(), BLOCK_TISSUE, stiffUpperCorner());
     rig.cut(plane(Vec3(0.28, 0.2, 0.1), Vec3(1, 0.3, 0.2)));
     rig.cut(rectangle(Vec3(0.6, 0.22, 0.1), Vec3(0, 1, 0.1), Vec3::UnitX(), 0.5, 0));
     const std::vector<Vec3> moves = randomVectors(rig.motion.x.size(), 0.05, 9);
@@ -43,7 +43,7 @@ class SystemMatrix : public ::testing::TestWithParam<Tissue> {
   }
 
   Rig rig;
-  Materials materials{rig.mesh.mesh(), TISSUE};
+  Materials materials{rig.mesh.mesh(), BLOCK_TISSUE};
   std::unique_ptr<Assembly> assembly;
 };
 

@@ -10,7 +10,7 @@
 namespace incision {
 namespace {
 
-const RestBox EVERYWHERE = {Vec3::Constant(-10), Vec3::Constant(10)};
+const RestBox ALL_OF_IT = {Vec3::Constant(-10), Vec3::Constant(10)};
 constexpr double PRESSURE = 200;
 
 Load pressing(const Place& place) {
@@ -56,7 +56,7 @@ TEST(Pressures, OnAClosedSkinSumToZeroInAnyDeformation) {
     std::vector<Vec3> of_node = cut.mesh.mesh().nodes;
     for (Vec3& x : of_node) x += random.vector(0.3);
     for (int c = 0; c < cut.mesh.numCopies(); ++c) cut.x[c] = of_node[cut.mesh.copyNode(c)];
-    const std::vector<Vec3> forces = forcesAt(cut.mesh, pressing(EVERYWHERE), cut.x);
+    const std::vector<Vec3> forces = forcesAt(cut.mesh, pressing(ALL_OF_IT), cut.x);
     double largest = 0;
     Vec3 torque = Vec3::Zero();
     for (std::size_t c = 0; c < forces.size(); ++c) {
@@ -84,7 +84,7 @@ TEST(Pressures, DoTheWorkOfTheVolumeThatTheyTake) {
     };
     const double h = 0.01;
     const double slope = (8 * (volumeAt(h) - volumeAt(-h)) - (volumeAt(2 * h) - volumeAt(-2 * h))) / (12 * h);
-    const std::vector<Vec3> forces = forcesAt(body.mesh, pressing(EVERYWHERE), body.x);
+    const std::vector<Vec3> forces = forcesAt(body.mesh, pressing(ALL_OF_IT), body.x);
     double work = 0;
     for (std::size_t c = 0; c < forces.size(); ++c) work += forces[c].dot(way[c]);
     EXPECT_NEAR(work, -PRESSURE * slope, 1e-10 * PRESSURE);

@@ -13,7 +13,7 @@ namespace incision {
 namespace {
 
 const GridSettings BOX = {{3, 3, 3}, Vec3::Ones(), Vec3::Zero()};
-const Material TISSUE = {1e5, 0.4999, 1000, 0, 0};
+const Material STIFF_IN_VOLUME = {1e5, 0.4999, 1000, 0, 0};
 
 std::vector<int> sizesOf(const std::vector<int>& set_of) {
   std::map<int, int> count;
@@ -116,7 +116,7 @@ TEST(Patches, EditedAfterCutsAreTheOnesMadeAnew) {
 TEST(AveragedPressure, TheMatrixIsTheSlopeOfTheForces) {
   test::Random random(94);
   test::DeformedMesh cut = cutBox(&random);
-  const Materials materials(cut.mesh.mesh(), TISSUE);
+  const Materials materials(cut.mesh.mesh(), STIFF_IN_VOLUME);
   Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::AVERAGED, true, 2);
   assembly.topologyChanged(cut.x);
   cut.shake(0.1, &random);
@@ -140,7 +140,7 @@ TEST(AveragedPressure, TheMatrixIsTheSlopeOfTheForces) {
 TEST(AveragedPressure, ForcesAreTheSlopeOfTheEnergy) {
   test::Random random(95);
   test::DeformedMesh cut = cutBox(&random);
-  const Materials materials(cut.mesh.mesh(), TISSUE);
+  const Materials materials(cut.mesh.mesh(), STIFF_IN_VOLUME);
   Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::AVERAGED, false, 1);
   assembly.topologyChanged(cut.x);
   cut.shake(0.1, &random);
@@ -160,7 +160,7 @@ TEST(AveragedPressure, ForcesAreTheSlopeOfTheEnergy) {
 TEST(AveragedPressure, StressesOfAllAreThoseOfEach) {
   test::Random random(96);
   test::DeformedMesh cut = cutBox(&random);
-  const Materials materials(cut.mesh.mesh(), TISSUE);
+  const Materials materials(cut.mesh.mesh(), STIFF_IN_VOLUME);
   Assembly assembly(cut.mesh, materials, Mass::LUMPED, Pressure::AVERAGED, true, 2);
   assembly.topologyChanged(cut.x);
   cut.shake(0.05, &random);
@@ -168,7 +168,7 @@ TEST(AveragedPressure, StressesOfAllAreThoseOfEach) {
   std::vector<Mat3> all;
   assembly.stresses(cut.x, &all);
   for (std::size_t p = 0; p < all.size(); ++p)
-    EXPECT_LT((all[p] - assembly.stress(static_cast<int>(p), cut.x)).norm(), 1e-11 * TISSUE.lambda());
+    EXPECT_LT((all[p] - assembly.stress(static_cast<int>(p), cut.x)).norm(), 1e-11 * STIFF_IN_VOLUME.lambda());
 }
 
 // Four cells deep, whole and slit. Plain elements bend less than half as far as beam theory has it.

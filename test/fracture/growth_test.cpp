@@ -11,7 +11,7 @@
 namespace incision::test {
 namespace {
 
-constexpr double STRETCH = 0.01, STRENGTH = 1e4;  // what 1 % takes of E = 1e6 Pa
+constexpr double STRETCH = 0.01, TENSILE_STRENGTH = 1e4;  // what 1 % takes of E = 1e6 Pa
 
 /// A bar along x in empty space, stretched by so much.
 class StretchedBar : public Rig {
@@ -66,9 +66,9 @@ TEST(CrackGrowth, OnlyAWeakRegionCracks) {
   RigSettings settings = StretchedBar::settings();
   settings.regions.resize(1);
   settings.regions[0].place = {Vec3(0.5, -1, -1), Vec3(0.75, 1, 1)};
-  settings.regions[0].tensile_strength = 0.9 * STRENGTH;
+  settings.regions[0].tensile_strength = 0.9 * TENSILE_STRENGTH;
   StretchedBar bar(0.95 * STRETCH, settings);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   const std::vector<CrackAdvance> advances = bar.advances(&growth);
   ASSERT_EQ(advances.size(), 1u);
@@ -77,20 +77,20 @@ TEST(CrackGrowth, OnlyAWeakRegionCracks) {
 
 TEST(CrackGrowth, NothingCracksBelowTheStrength) {
   StretchedBar bar(0.999 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   EXPECT_TRUE(bar.advances(&growth).empty());
 }
 
 TEST(CrackGrowth, APieceStartsOneCrackAcrossThePull) {
   StretchedBar bar(1.001 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   const std::vector<CrackResult> results = bar.fracture(&growth);
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].change, CrackChange::STARTED);
   EXPECT_EQ(results[0].elements.size(), 1u);
-  EXPECT_NEAR(results[0].stress, 1.001 * STRENGTH, 1e-6 * STRENGTH);
+  EXPECT_NEAR(results[0].stress, 1.001 * TENSILE_STRENGTH, 1e-6 * TENSILE_STRENGTH);
   EXPECT_GT(std::abs(results[0].normal[0]), std::cos(0.05));  // it passes nodes at a distance
 }
 
@@ -98,7 +98,7 @@ TEST(CrackGrowth, EveryLoadedPieceStartsItsOwn) {
   StretchedBar bar(1.001 * STRETCH);
   bar.cut(plane(Vec3(0.51, 0, 0), Vec3::UnitX()));
   for (Vec3& x : bar.motion.x) x[0] += STRETCH * std::pow(x[0] - 0.51, 3);  // most far from the cut
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   const std::vector<CrackResult> results = bar.fracture(&growth);
   ASSERT_EQ(results.size(), 2u);
@@ -107,7 +107,7 @@ TEST(CrackGrowth, EveryLoadedPieceStartsItsOwn) {
 
 TEST(CrackGrowth, WhereACrackGrowsNoOtherStarts) {
   StretchedBar bar(1.001 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   bar.fracture(&growth);
   growth.stepTaken();
@@ -122,7 +122,7 @@ TEST(CrackGrowth, NoneStartsInACrackElement) {
   StretchedBar bar(1.001 * STRETCH);
   for (int piece = 0; piece < 2; ++piece) {
     bar.cut(plane(Vec3(0, 0, 0.06 + 0.13 * piece), Vec3::UnitZ()));  // along the pull, through the lower cells
-    CrackGrowth growth(strength(STRENGTH));
+    CrackGrowth growth(strength(TENSILE_STRENGTH));
     growth.topologyChanged(bar.step.assembly(), {});
     for (const CrackAdvance& advance : bar.advances(&growth)) {
       ASSERT_EQ(advance.parts.size(), 1u);
@@ -134,7 +134,7 @@ TEST(CrackGrowth, NoneStartsInACrackElement) {
 
 TEST(CrackGrowth, PartsBesideAChangeWaitForTheNextStep) {
   StretchedBar bar(1.5 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   std::vector<int> all;
   for (std::size_t n = 0; n < bar.mesh.mesh().nodes.size(); ++n) all.push_back(static_cast<int>(n));
   growth.topologyChanged(bar.step.assembly(), all);
@@ -145,7 +145,7 @@ TEST(CrackGrowth, PartsBesideAChangeWaitForTheNextStep) {
 
 TEST(CrackGrowth, WhatTheMeshRefusesIsNotTriedAgain) {
   StretchedBar bar(1.5 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   const std::vector<CrackAdvance> first = bar.advances(&growth);
   EXPECT_EQ(growth.refused(0, first.at(0)).change, CrackChange::STOPPED);
@@ -164,7 +164,7 @@ TEST(CrackGrowth, WhatTheMeshRefusesIsNotTriedAgain) {
 
 TEST(CrackGrowth, OneThatRecallsAMemoryGoesOnAsTheOneThatHadIt) {
   StretchedBar bar(1.3 * STRETCH);
-  FractureSettings settings = strength(STRENGTH);
+  FractureSettings settings = strength(TENSILE_STRENGTH);
   settings.crack_speed = 50;  // so that when a crack reached an element counts
   CrackGrowth growth(settings);
   growth.topologyChanged(bar.step.assembly(), {});
@@ -190,7 +190,7 @@ TEST(CrackGrowth, OneThatRecallsAMemoryGoesOnAsTheOneThatHadIt) {
 
 TEST(CrackGrowth, AMemoryThatIsKeptDoesNotChange) {
   StretchedBar bar(1.3 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   bar.fracture(&growth);
   const CrackGrowth::Memory memory = growth.memory();
@@ -221,7 +221,7 @@ TEST(GrowingCracks, OneThatHasTakenInOthersAnswersToAllTheirNumbers) {
 TEST(CrackGrowth, PositionsThatAreNotFiniteCrackNothing) {
   StretchedBar bar(2 * STRETCH);
   for (Vec3& x : bar.motion.x) x[1] = std::numeric_limits<double>::quiet_NaN();
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   EXPECT_TRUE(bar.advances(&growth).empty());
 }
@@ -229,7 +229,7 @@ TEST(CrackGrowth, PositionsThatAreNotFiniteCrackNothing) {
 TEST(CrackGrowth, EnergyAndMomentumDoNotRiseAtACrack) {
   StretchedBar bar(1.3 * STRETCH);
   bar.time_step = 1e-3;
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   const double first = bar.energy();
   int cracked = 0;
@@ -248,7 +248,7 @@ TEST(CrackGrowth, EnergyAndMomentumDoNotRiseAtACrack) {
 
 TEST(CrackGrowth, TheCrackSurfaceHasNoSteps) {
   StretchedBar bar(1.3 * STRETCH);
-  CrackGrowth growth(strength(STRENGTH));
+  CrackGrowth growth(strength(TENSILE_STRENGTH));
   growth.topologyChanged(bar.step.assembly(), {});
   for (int k = 0; k < 100 && bar.pieces() < 2; ++k) {  // nothing moves: every step finds the same stretch
     bar.fracture(&growth);

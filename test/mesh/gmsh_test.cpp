@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double PI = 3.14159265358979323846;
-
 /// A folder of the test's own, in which gmsh runs.
 class Gmsh : public ::testing::Test {
  protected:
@@ -57,7 +55,7 @@ std::string sphere(const Vec3& centre, double radius) {
   std::ostringstream out;
   out.precision(12);
   const auto point = [&](int band, int slice) -> Vec3 {
-    const double theta = PI * band / BANDS, phi = 2 * PI * (slice % SLICES) / SLICES;
+    const double theta = M_PI * band / BANDS, phi = 2 * M_PI * (slice % SLICES) / SLICES;
     const double flat = band % BANDS == 0 ? 0 : std::sin(theta);
     return centre + radius * Vec3(flat * std::cos(phi), flat * std::sin(phi), std::cos(theta));
   };
@@ -81,7 +79,7 @@ double volumeOf(const TetMesh& mesh) {
   return volume;
 }
 
-double ball(double radius) { return 4 * PI / 3 * radius * radius * radius; }
+double ball(double radius) { return 4 * M_PI / 3 * radius * radius * radius; }
 
 Place group(const std::string& name) {
   Place place;

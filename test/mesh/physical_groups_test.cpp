@@ -21,7 +21,7 @@ $EndPhysicalNames
 )";
 
 // Two tetrahedra on either side of the face 10 20 30; node 99 is that between others. One is in the groups 1 and 4.
-const std::string V2_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + NAMES + R"($Nodes
+const std::string GROUPS_V2_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + NAMES + R"($Nodes
 6
 10 0 0 0
 20 1 0 0
@@ -46,7 +46,7 @@ $Elements
 $EndElements
 )";
 
-const std::string V4_1 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + NAMES + R"($Entities
+const std::string GROUPS_V4_1 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + NAMES + R"($Entities
 1 1 4 2
 1 0 0 0 1 1
 1 0 0 0 1 1 1 1 -7 2 1 -1
@@ -120,25 +120,25 @@ const std::vector<std::string> GROUPS = {
     "2 3 3: 0 1 3 5 | |", "3 1 top: 0 1 3 4 | | 0", "3 4 4: 0 1 3 4 5 | | 0 1",  "3 9 nothing: | |"};
 
 TEST(PhysicalGroups, AreThoseOfTheFileInBothVersions) {
-  for (const std::string& text : {V2_2, V4_1}) {
+  for (const std::string& text : {GROUPS_V2_2, GROUPS_V4_1}) {
     MeshRepairs repairs;
     const TetMesh mesh = read(text, &repairs);
     EXPECT_EQ(mesh.elements, (std::vector<std::array<int, 4>>{{0, 1, 3, 4}, {1, 0, 3, 5}}));
     EXPECT_EQ(asTexts(mesh), GROUPS);
-    EXPECT_EQ(repairs.repeated_elements, &text == &V2_2 || text == V2_2 ? 1 : 0);
+    EXPECT_EQ(repairs.repeated_elements, &text == &GROUPS_V2_2 || text == GROUPS_V2_2 ? 1 : 0);
     EXPECT_EQ(repairs.skipped_elements, 8);
   }
 }
 
 TEST(PhysicalGroups, KeepTheirElementsWhenThoseAreTurned) {
-  EXPECT_EQ(asTexts(read(replaced(V2_2, "4 2 20 10 30 5", "4 2 10 20 30 5"))), GROUPS);
-  EXPECT_EQ(asTexts(read(replaced(V4_1, "10 20 10 30 5", "10 10 20 30 5"))), GROUPS);
+  EXPECT_EQ(asTexts(read(replaced(GROUPS_V2_2, "4 2 20 10 30 5", "4 2 10 20 30 5"))), GROUPS);
+  EXPECT_EQ(asTexts(read(replaced(GROUPS_V4_1, "10 20 10 30 5", "10 10 20 30 5"))), GROUPS);
 }
 
 TEST(PhysicalGroups, FollowTheirElementsWhereARepeatedOneIsLeftOut) {
   // The one between the first element and its repetition moves up.
   const std::string text =
-      replaced(replaced(replaced(V2_2, "99 5 5 5", "99 0.2 -1 0.2"), "9 4 2 1 1 10 20 30 40\n", ""),
+      replaced(replaced(replaced(GROUPS_V2_2, "99 5 5 5", "99 0.2 -1 0.2"), "9 4 2 1 1 10 20 30 40\n", ""),
                "10 4 2 4 2 20 10 30 5\n", "10 4 2 4 2 20 10 30 5\n9 4 2 1 1 40 10 20 30\n11 4 2 6 2 10 20 40 99\n");
   MeshRepairs repairs;
   const TetMesh mesh = read(replaced(text, "$Elements\n11", "$Elements\n12"), &repairs);
@@ -150,18 +150,20 @@ TEST(PhysicalGroups, FollowTheirElementsWhereARepeatedOneIsLeftOut) {
 }
 
 TEST(PhysicalGroups, OfTheFileNeedNoNames) {
-  const TetMesh mesh = read(replaced(V4_1, NAMES, ""));
+  const TetMesh mesh = read(replaced(GROUPS_V4_1, NAMES, ""));
   ASSERT_EQ(mesh.groups.size(), 7u);
   EXPECT_EQ(asText(mesh.groups[0]), "0 1 1: 4 | |");
   EXPECT_EQ(asText(mesh.groups[6]), "3 4 4: 0 1 3 4 5 | | 0 1");
-  EXPECT_TRUE(
-      read(replaced(V4_1, V4_1.substr(V4_1.find("$Entities"), V4_1.find("$Nodes") - V4_1.find("$Entities")), ""))
-          .groups.size() == 5u);  // those that have a name
+  EXPECT_TRUE(read(replaced(GROUPS_V4_1,
+                            GROUPS_V4_1.substr(GROUPS_V4_1.find("$Entities"),
+                                               GROUPS_V4_1.find("$Nodes") - GROUPS_V4_1.find("$Entities")),
+                            ""))
+                  .groups.size() == 5u);  // those that have a name
 }
 
 TEST(PhysicalGroups, NamesMayComeLast) {
   const std::string end = "$EndElements\n";
-  EXPECT_EQ(asTexts(read(replaced(replaced(V2_2, NAMES, ""), end, end + NAMES))), GROUPS);
+  EXPECT_EQ(asTexts(read(replaced(replaced(GROUPS_V2_2, NAMES, ""), end, end + NAMES))), GROUPS);
 }
 
 TEST(PhysicalGroups, WhatIsWrongWithThemIsSaidWithItsLine) {
@@ -184,11 +186,11 @@ TEST(PhysicalGroups, WhatIsWrongWithThemIsSaidWithItsLine) {
       {"4.1", "1 0 0 0 1 1 1 1 -7 2 1 -1", "1 0 0 0 1 1 1 3 -7", "a.msh:15: physical group is missing"},
       {"4.1", "$Entities\n1", "$Entitie\n1", "a.msh:12: \"$Entitie\" is never closed"}};
   for (const auto& [version, from, to, error] : spoilt) {
-    const std::string what = errorOf(replaced(version == "2.2" ? V2_2 : V4_1, from, to));
+    const std::string what = errorOf(replaced(version == "2.2" ? GROUPS_V2_2 : GROUPS_V4_1, from, to));
     EXPECT_EQ(what.substr(0, error.size()), error) << from << " → " << to;
   }
-  EXPECT_EQ(errorOf(V2_2 + NAMES).substr(0, 32), "a.msh:35: $PhysicalNames is give");
-  EXPECT_EQ(errorOf(V4_1 + "$Entities\n0 0 0 0\n$EndEntities").find("$Entities is given twice"), 10u);
+  EXPECT_EQ(errorOf(GROUPS_V2_2 + NAMES).substr(0, 32), "a.msh:35: $PhysicalNames is give");
+  EXPECT_EQ(errorOf(GROUPS_V4_1 + "$Entities\n0 0 0 0\n$EndEntities").find("$Entities is given twice"), 10u);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Place groupPlace(const std::string& name) {
   return place;
 }
 
-Place parse(const YamlValue& value) { return parsePlace(value.map({"group", "box"})); }
+Place parsedPlace(const YamlValue& value) { return parsePlace(value.map({"group", "box"})); }
 
 /// Two by two by two cells of half a metre, with a group of the nodes, triangles or elements at x = 0.
 struct Cells : ::testing::Test {
@@ -59,14 +59,14 @@ std::vector<std::pair<int, int>> pairs(const std::vector<ElementFace>& faces) {
 }
 
 TEST(Place, IsAGroupOrABox) {
-  const Place group = parse(test::section("boundary.0", "{group: skin}"));
+  const Place group = parsedPlace(test::section("boundary.0", "{group: skin}"));
   EXPECT_EQ(group.group, "skin");
   EXPECT_EQ(describe(group), "group 'skin'");
-  const Place box = parse(test::section("boundary.0", "{box: [[0, 1, 2], [3, 4, 5]]}"));
+  const Place box = parsedPlace(test::section("boundary.0", "{box: [[0, 1, 2], [3, 4, 5]]}"));
   EXPECT_EQ(box.group, "");
   EXPECT_EQ(box.box.max, Vec3(3, 4, 5));
   EXPECT_EQ(describe(box), "box [[0, 1, 2], [3, 4, 5]]");
-  test::expectRefused(parse, "boundary.0",
+  test::expectRefused(parsedPlace, "boundary.0",
                       {{"{}", ": needs a group or a box"},
                        {"{group: a, box: [[0, 0, 0], [1, 1, 1]]}", ": needs a group or a box"},
                        {"{group: ''}", ".group: ''"},
@@ -143,7 +143,7 @@ TEST_F(Cells, AGroupThatTheMeshHasNotIsRefusedWithAGuess) {
     EXPECT_THROW(boundaryFacesAt(place, mesh, topology), InputError);
     return message;
   };
-  Place place = parse(test::section("boundary.0", "{group: wal}"));
+  Place place = parsedPlace(test::section("boundary.0", "{group: wal}"));
   EXPECT_EQ(complaint(place), "scene.yaml: boundary.0.group: 'wal' (allowed: none, the mesh has no physical groups)");
   addGroup("wall", 2, left);
   addGroup("base", 3, lower_half);

@@ -12,8 +12,6 @@
 namespace incision {
 namespace {
 
-constexpr double PI = 3.14159265358979323846;
-
 const std::string ONE_ELEMENT = R"($MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -110,7 +108,7 @@ TEST(PlacedMesh, BadValuesAreRefused) {
 TEST(PlacedMesh, IsScaledThenTurnedThenMoved) {
   const test::TestFile file("placed.msh", ONE_ELEMENT);
   const auto meshes = parse("{meshes: {a: {file: " + file.path() + ", scale: 0.001, pose: [5, 0, 0, 0, 0, " +
-                            std::to_string(PI / 2) + "]}}}");
+                            std::to_string(M_PI / 2) + "]}}}");
   const TetMesh mesh = readPlacedMeshes(meshes);
   ASSERT_EQ(mesh.nodes.size(), 4u);
   EXPECT_LT((mesh.nodes[0] - Vec3(5, 0, 0)).norm(), 1e-6);

@@ -2,16 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "pace/things_in_tests.h"
+
 namespace incision {
 namespace {
 
-PlaneCut labelled(const std::string& label) {
-  PlaneCut plane;
-  plane.label = label;
-  return plane;
-}
-
-ReceivedPose at(double x) { return {{Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}, 1, SteadyTime()}; }
+ReceivedPose receivedAt(double x) { return {{Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}, 1, SteadyTime()}; }
 
 TEST(Agenda, CommandsComeInTheOrderOfStampsThenOfArrival) {
   Agenda agenda(1);
@@ -36,7 +32,7 @@ TEST(Agenda, AStampThatIsPassedCountsAsLateAndNowDoesNot) {
   agenda.add(labelled("now"), 0);
   agenda.add(labelled("in time"), 101);
   EXPECT_EQ(0u, agenda.late());
-  agenda.add(0, at(0), 100);
+  agenda.add(0, receivedAt(0), 100);
   EXPECT_EQ(1u, agenda.late());
 }
 
@@ -51,7 +47,7 @@ TEST(Agenda, AFullAgendaPutsOutTheLatestCut) {
 TEST(Agenda, ALongPathKeepsItsShape) {
   Agenda agenda(1);
   const int count = 3 * MAX_WAITING_POSES;
-  for (int i = 0; i < count; ++i) agenda.add(0, at(i), 0);
+  for (int i = 0; i < count; ++i) agenda.add(0, receivedAt(i), 0);
   const std::vector<ReceivedPose> path = agenda.takeTool(0, 0).poses;
   EXPECT_LE(path.size(), MAX_WAITING_POSES);
   EXPECT_EQ(count, static_cast<int>(path.size() + agenda.thinned()));
@@ -84,7 +80,7 @@ TEST(Agenda, GivesTheCutsThatWillNotBeMadeOneByOne) {
   Agenda agenda(1);
   agenda.add(labelled("later"), 60);
   agenda.add(labelled("earlier"), 50);
-  agenda.add(0, at(0), 50);
+  agenda.add(0, receivedAt(0), 50);
   agenda.clearTools();
   EXPECT_TRUE(agenda.takeTool(0, 50).poses.empty());
   EXPECT_EQ("earlier", agenda.takeCut()->plane.label);
@@ -103,9 +99,9 @@ TEST(Agenda, TheBladeIsOnUntilItIsSwitchedAndAfterClearing) {
 
 TEST(Agenda, ASwitchOfTheBladeComesBetweenThePosesBeforeAndAfterIt) {
   Agenda agenda(1);
-  agenda.add(0, at(1), 0);
+  agenda.add(0, receivedAt(1), 0);
   agenda.activate(0, false);
-  agenda.add(0, at(2), 0);
+  agenda.add(0, receivedAt(2), 0);
   agenda.activate(0, true);
   const ToolInput input = agenda.takeTool(0, 0);
   ASSERT_EQ(2u, input.poses.size());
@@ -116,7 +112,7 @@ TEST(Agenda, ASwitchOfTheBladeComesBetweenThePosesBeforeAndAfterIt) {
 
 TEST(Agenda, ASwitchOfTheBladeWaitsWithThePoseBeforeIt) {
   Agenda agenda(1);
-  agenda.add(0, at(1), 30);
+  agenda.add(0, receivedAt(1), 30);
   agenda.activate(0, false);
   EXPECT_TRUE(agenda.takeTool(0, 29).active);
   EXPECT_FALSE(agenda.takeTool(0, 30).active);
@@ -124,9 +120,9 @@ TEST(Agenda, ASwitchOfTheBladeWaitsWithThePoseBeforeIt) {
 
 TEST(Agenda, WhatIsAskedOfOneToolIsNotAskedOfAnother) {
   Agenda agenda(2);
-  agenda.add(1, at(1), 0);
+  agenda.add(1, receivedAt(1), 0);
   agenda.activate(0, false);
-  agenda.add(1, at(2), 0);
+  agenda.add(1, receivedAt(2), 0);
   const ToolInput first = agenda.takeTool(0, 0), second = agenda.takeTool(1, 0);
   EXPECT_TRUE(first.poses.empty());
   EXPECT_FALSE(first.active);

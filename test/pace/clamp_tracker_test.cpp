@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "pace/frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
-
-constexpr double TIME_STEP = 0.01;
-constexpr Nanoseconds MS = 1'000'000;
 
 std::vector<Clamp> clamps() {
   std::vector<Clamp> clamps(3);
@@ -29,20 +27,20 @@ struct ClampTrackerTest : testing::Test {
 };
 
 TEST_F(ClampTrackerTest, TheFirstPoseTellsWhereTheFrameIsEvenIfThatIsTheBodysOrigin) {
-  publish("rib", 10000 * MS, 0);
+  publish("rib", 10000 * MILLISECOND, 0);
   const std::vector<LinkMove> moves = tracker.follow(0, 0, true);
   ASSERT_EQ(moves.size(), 1u);
   EXPECT_EQ(moves[0].link, 1);
   EXPECT_TRUE(moves[0].at_once);
   EXPECT_FALSE(moves[0].jump_speed);
-  publish("rib", 10010 * MS, 0.01);
+  publish("rib", 10010 * MILLISECOND, 0.01);
   EXPECT_FALSE(tracker.follow(0, 0, true).at(0).at_once);
 }
 
 TEST_F(ClampTrackerTest, AJumpIsAtOnceAndSaysSo) {
-  publish("hip", 10000 * MS, 0);
+  publish("hip", 10000 * MILLISECOND, 0);
   tracker.follow(0, 0, true);
-  publish("hip", 10010 * MS, 1);
+  publish("hip", 10010 * MILLISECOND, 1);
   const std::vector<LinkMove> moves = tracker.follow(0, 0, true);
   ASSERT_EQ(moves.size(), 1u);
   EXPECT_EQ(moves[0].link, 2);
@@ -50,26 +48,26 @@ TEST_F(ClampTrackerTest, AJumpIsAtOnceAndSaysSo) {
 }
 
 TEST_F(ClampTrackerTest, FramesOfWhichNothingIsKnownAreSaid) {
-  publish("rib", 10000 * MS, 0);
-  EXPECT_EQ(tracker.follow(20000 * MS, 0, false).size(), 1u);
+  publish("rib", 10000 * MILLISECOND, 0);
+  EXPECT_EQ(tracker.follow(20000 * MILLISECOND, 0, false).size(), 1u);
   EXPECT_EQ(complaints, std::vector<std::string>{"hip: tf has not told where it is"});
 }
 
 TEST_F(ClampTrackerTest, FramesOfWhichNothingNewComesAreSaidAndStay) {
-  publish("rib", 10000 * MS, 0);
+  publish("rib", 10000 * MILLISECOND, 0);
   publish("hip", 0, 0);  // holds for all times
   for (const int t : {0, 400, 600}) {
-    EXPECT_EQ(tracker.follow((20000 + t) * MS, 0, false).size(), t == 0 ? 2u : 0u);
+    EXPECT_EQ(tracker.follow((20000 + t) * MILLISECOND, 0, false).size(), t == 0 ? 2u : 0u);
     EXPECT_EQ(complaints.size(), t == 600 ? 1u : 0u) << t;
   }
   EXPECT_EQ(complaints.at(0).find("rib: its last transform is older"), 0u);
-  publish("rib", 10700 * MS, 0.01);
-  EXPECT_EQ(tracker.follow(20700 * MS, 0, false).size(), 1u);
+  publish("rib", 10700 * MILLISECOND, 0.01);
+  EXPECT_EQ(tracker.follow(20700 * MILLISECOND, 0, false).size(), 1u);
   EXPECT_EQ(complaints.size(), 1u);
 }
 
 TEST_F(ClampTrackerTest, ARestartForgetsAllFrames) {
-  publish("rib", 10000 * MS, 0.5);
+  publish("rib", 10000 * MILLISECOND, 0.5);
   tracker.follow(0, 0, true);
   tracker.restart();
   EXPECT_TRUE(tracker.follow(0, 0, true).at(0).at_once);

@@ -6,17 +6,10 @@
 
 #include "answers_in_tests.h"
 #include "frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
-
-const SteadyTime START{std::chrono::seconds(100)};
-
-PlaneCut labelled(const std::string& label) {
-  PlaneCut plane;
-  plane.label = label;
-  return plane;
-}
 
 class CommandsTest : public ::testing::Test {
  protected:

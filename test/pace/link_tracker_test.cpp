@@ -7,13 +7,10 @@
 #include "incision/rigid/half_space.h"
 #include "incision/rigid/sphere.h"
 #include "pace/frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
-
-constexpr double TIME_STEP = 0.01;
-constexpr Nanoseconds MS = 1'000'000, SECOND = 1000 * MS;
-constexpr double ROUNDING = 1e-14;  // of coordinates below 10
 
 /// Two links, each with a sphere: `arm` at x = 1, `post` at x = 2.
 Obstacles twoLinks() {
@@ -50,7 +47,7 @@ TEST_F(LinkTrackerTest, LinksOfWhichNobodyHasHeardStayAsDescribed) {
 }
 
 TEST_F(LinkTrackerTest, TheFirstPosePutsALinkAndSweepsNothing) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   const std::vector<LinkMove> moves = tracker.follow(0, 0);
   ASSERT_EQ(1u, moves.size());
   EXPECT_EQ(0, moves[0].link);
@@ -60,23 +57,23 @@ TEST_F(LinkTrackerTest, TheFirstPosePutsALinkAndSweepsNothing) {
 }
 
 TEST_F(LinkTrackerTest, AFirstPoseAtTheDescribedPlaceMovesNothing) {
-  publish("arm", 10000 * MS, 1);
+  publish("arm", 10000 * MILLISECOND, 1);
   EXPECT_TRUE(tracker.follow(0, 0).empty());
-  publish("arm", 10010 * MS, 1.01);
+  publish("arm", 10010 * MILLISECOND, 1.01);
   EXPECT_FALSE(tracker.follow(0, 0).at(0).at_once);
 }
 
 TEST_F(LinkTrackerTest, WhatStandsStillIsNotMoved) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   tracker.follow(0, 0);
-  publish("arm", 11000 * MS, 1.01);
+  publish("arm", 11000 * MILLISECOND, 1.01);
   EXPECT_TRUE(tracker.follow(0, 0).empty());
 }
 
 TEST_F(LinkTrackerTest, AStepFollowsThePosesAtItsEnd) {
-  for (int k = 0; k < 50; ++k) publish("arm", 10 * SECOND + k * 10 * MS, 1.5 + 0.01 * k);
+  for (int k = 0; k < 50; ++k) publish("arm", 10 * SECOND + k * 10 * MILLISECOND, 1.5 + 0.01 * k);
   for (int k = 0; k < 50; ++k) {
-    const std::vector<LinkMove> moves = tracker.follow(0, 10 * SECOND + k * 10 * MS);
+    const std::vector<LinkMove> moves = tracker.follow(0, 10 * SECOND + k * 10 * MILLISECOND);
     ASSERT_EQ(1u, moves.size());
     EXPECT_EQ(k == 0, moves[0].at_once);
     EXPECT_EQ(1.5 + 0.01 * k, moves[0].pose.position.x());
@@ -84,36 +81,37 @@ TEST_F(LinkTrackerTest, AStepFollowsThePosesAtItsEnd) {
 }
 
 TEST_F(LinkTrackerTest, WhereTheEndIsNotKnownYetTheLatestIsFollowed) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   EXPECT_EQ(1u, tracker.follow(0, 12 * SECOND).size());
   EXPECT_EQ(1.01, armAt());
 }
 
 TEST_F(LinkTrackerTest, PosesMoreSeldomThanStepsAreFollowedEvenly) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   tracker.follow(0, 0);
-  publish("arm", 10050 * MS, 1.06);
+  publish("arm", 10050 * MILLISECOND, 1.06);
   for (int k = 1; k <= 5; ++k) {
     const std::vector<LinkMove> moves = tracker.follow(0, 0);
     ASSERT_EQ(1u, moves.size());
     EXPECT_FALSE(moves[0].at_once);
-    EXPECT_NEAR(1.01 + 0.01 * k, armAt(), ROUNDING);
+    EXPECT_NEAR(1.01 + 0.01 * k, armAt(), POSE_ROUNDING);
   }
   EXPECT_TRUE(tracker.follow(0, 0).empty());
 }
 
 TEST_F(LinkTrackerTest, AfterAPauseOfThePublisherALinkIsNotFollowedLate) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   tracker.follow(0, 0);
-  publish("arm", 15000 * MS, 1.06);
+  publish("arm", 15000 * MILLISECOND, 1.06);
   for (int k = 0; k < static_cast<int>(std::lround(MAX_POSE_PERIOD / TIME_STEP)); ++k) tracker.follow(0, 0);
-  EXPECT_NEAR(1.06, armAt(), ROUNDING);
+  EXPECT_NEAR(1.06, armAt(), POSE_ROUNDING);
 }
 
 TEST_F(LinkTrackerTest, AJumpSweepsNothing) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   tracker.follow(0, 0);
-  for (const auto& [time, x, turn] : {std::tuple(10'010 * MS, 1.2, 0.0), std::tuple(10'020 * MS, 1.2, 1.0)}) {
+  for (const auto& [time, x, turn] :
+       {std::tuple(10'010 * MILLISECOND, 1.2, 0.0), std::tuple(10'020 * MILLISECOND, 1.2, 1.0)}) {
     publish("arm", time, x, turn);
     const std::vector<LinkMove> moves = tracker.follow(0, 0);
     ASSERT_EQ(1u, moves.size());
@@ -121,7 +119,7 @@ TEST_F(LinkTrackerTest, AJumpSweepsNothing) {
     EXPECT_GT(moves[0].jump_speed.value(), MAX_OBSTACLE_SPEED);
     EXPECT_TRUE(tracker.follow(0, 0).empty());
   }
-  publish("arm", 10'030 * MS, 1.2 + 0.9 * MAX_OBSTACLE_SPEED * TIME_STEP, 1.0);
+  publish("arm", 10'030 * MILLISECOND, 1.2 + 0.9 * MAX_OBSTACLE_SPEED * TIME_STEP, 1.0);
   EXPECT_FALSE(tracker.follow(0, 0).at(0).at_once);
 }
 
@@ -134,18 +132,18 @@ TEST_F(LinkTrackerTest, ALinkWithoutAWayToTheBodyStaysAndIsCounted) {
 }
 
 TEST_F(LinkTrackerTest, APoseOutOfRangeChangesNothingAndIsCounted) {
-  publish("arm", 10'000 * MS, 1.01);
+  publish("arm", 10'000 * MILLISECOND, 1.01);
   tracker.follow(0, 0);
-  publish("arm", 10'010 * MS, 1e10);
+  publish("arm", 10'010 * MILLISECOND, 1e10);
   EXPECT_TRUE(tracker.follow(0, 0).empty());
-  publish("arm", 10'020 * MS, HUGE_VAL);
+  publish("arm", 10'020 * MILLISECOND, HUGE_VAL);
   EXPECT_TRUE(tracker.follow(0, 0).empty());
   EXPECT_EQ(1.01, armAt());
   EXPECT_EQ(2u, tracker.ignored());
 }
 
 TEST_F(LinkTrackerTest, ARestartPutsLinksWhereTheyWereSeen) {
-  publish("arm", 10000 * MS, 1.01);
+  publish("arm", 10000 * MILLISECOND, 1.01);
   tracker.follow(0, 0);
   tracker.restart();
   EXPECT_EQ(1, armAt());

@@ -4,14 +4,12 @@
 
 #include "answers_in_tests.h"
 #include "frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
 
 using std::chrono::seconds;
-
-const SteadyTime START{seconds(100)};
-constexpr Nanoseconds SECOND = 1'000'000'000;
 
 class PaceWatchTest : public ::testing::Test {
  protected:

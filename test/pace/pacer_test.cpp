@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "pace/things_in_tests.h"
+
 namespace incision {
 namespace {
 
 using std::chrono::milliseconds;
-
-constexpr double TIME_STEP = 0.01;
-constexpr Nanoseconds MILLISECOND = 1'000'000;
-const SteadyTime START{std::chrono::seconds(100)};
 
 /// Feeds one clock message and takes all steps it allows; how many these were.
 int stepsAfter(ClockPacer& pacer, SteadyTime received, Nanoseconds clock) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "pace/things_in_tests.h"
+
 namespace incision {
 namespace {
-
-const SteadyTime START{std::chrono::seconds(100)};
 
 /// A body with steps of 10 ms and one of four threads.
 class SlownessTest : public ::testing::Test {
@@ -13,13 +13,13 @@ class SlownessTest : public ::testing::Test {
   SlownessTest() { slowness_.restart(START); }
 
   /// Wall time goes on, and so many steps are taken in it, each of so many ms of solving and of contact; what is said.
-  std::string pass(double seconds, int steps, double solve_ms, double contact_ms = 0) {
+  std::string pass(double duration, int steps, double solve_ms, double contact_ms = 0) {
     StepResult step;
     step.phase_ms.solve = solve_ms;
     step.phase_ms.contact = contact_ms;
     step.step_ms = solve_ms + contact_ms;
     for (int k = 0; k < steps; ++k) slowness_.stepTaken(step);
-    time_ += seconds;
+    time_ += duration;
     const auto now = START + std::chrono::duration_cast<SteadyTime::duration>(std::chrono::duration<double>(time_));
     return slowness_.look(now, 1, 4).value_or("");
   }

@@ -4,14 +4,12 @@
 
 #include "answers_in_tests.h"
 #include "frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
 
 using std::chrono::milliseconds;
-
-const SteadyTime START{std::chrono::seconds(100)};
-constexpr Nanoseconds MILLISECOND = 1'000'000;
 
 Scene bar() {
   Scene scene;

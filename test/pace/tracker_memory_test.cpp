@@ -9,12 +9,12 @@
 #include "incision/pace/link_tracker.h"
 #include "incision/pace/tool_tracker.h"
 #include "pace/frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
 
-constexpr double TIME_STEP = 0.01;
-constexpr Nanoseconds MS = 1'000'000, STEP = 10 * MS, START = 1000 * MS;
+constexpr Nanoseconds STEP = 10 * MILLISECOND, FIRST = SECOND;
 constexpr int STEPS = 400;
 
 /// As it comes back from a file.
@@ -32,8 +32,6 @@ Memory savedAndRead(Memory memory) {
   return read;
 }
 
-Pose at(double x) { return {Vec3(x, 0, 0), Eigen::Quaterniond::Identity()}; }
-
 /// Poses as from a hand that sometimes pauses, jumps, switches the blade, or is slower or faster than steps.
 std::vector<ToolInput> poseStream(unsigned seed) {
   std::mt19937 random(seed);
@@ -42,11 +40,12 @@ std::vector<ToolInput> poseStream(unsigned seed) {
   double x = 0;
   bool active = true;
   for (Nanoseconds time = 0; time < STEPS * STEP;) {
-    time += oneOf(30) == 0 ? 700 * MS : (1 + oneOf(45)) * MS;  // beyond the tool's timeout, or about a step
-    x += oneOf(20) == 0 ? 0.5 : 1e-3 * oneOf(60);              // a jump, or a part of the way
+    time += oneOf(30) == 0 ? 700 * MILLISECOND
+                           : (1 + oneOf(45)) * MILLISECOND;  // beyond the tool's timeout, or about a step
+    x += oneOf(20) == 0 ? 0.5 : 1e-3 * oneOf(60);            // a jump, or a part of the way
     if (oneOf(15) == 0) active = !active;
     const auto step = static_cast<std::size_t>((time + STEP - 1) / STEP);
-    if (step < inputs.size()) inputs[step].poses.push_back({at(x), START + time, SteadyTime(), active});
+    if (step < inputs.size()) inputs[step].poses.push_back({poseAt(x), FIRST + time, SteadyTime(), active});
   }
   for (std::size_t i = 0; i < inputs.size(); ++i)
     inputs[i].active = !inputs[i].poses.empty() ? inputs[i].poses.back().active : i == 0 || inputs[i - 1].active;
@@ -71,8 +70,8 @@ TEST(TrackerMemory, AToolTrackerRecalledIsAsIfNeverKept) {
     ToolTracker never = toolTracker(), again = toolTracker();
     for (int i = 0; i < STEPS; ++i) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(i));
-      const ToolMove expected = never.follow(inputs[static_cast<std::size_t>(i)], START + i * STEP, false);
-      expectSame(again.follow(inputs[static_cast<std::size_t>(i)], START + i * STEP, false), expected);
+      const ToolMove expected = never.follow(inputs[static_cast<std::size_t>(i)], FIRST + i * STEP, false);
+      expectSame(again.follow(inputs[static_cast<std::size_t>(i)], FIRST + i * STEP, false), expected);
       const ToolTrackerMemory memory = savedAndRead(again.keep());
       again.restart();
       again.recall(memory);
@@ -89,13 +88,13 @@ TEST(TrackerMemory, AToolTrackerRecalledIsAsIfNeverKept) {
 /// A branch may be recalled at any time later, on any clock.
 TEST(TrackerMemory, AToolTrackersPosesAreAsOldAsWhenTheyWereKept) {
   ToolTracker kept = toolTracker();
-  kept.follow({{{at(0), START, SteadyTime(), true}}}, START, false);
-  kept.follow({{{at(0.05), START + 50 * MS, SteadyTime(), true}}}, START + 50 * MS, false);
-  for (const Nanoseconds later : {Nanoseconds{0}, 3000 * MS, 1'000'000 * MS}) {
+  kept.follow({{{poseAt(0), FIRST, SteadyTime(), true}}}, FIRST, false);
+  kept.follow({{{poseAt(0.05), FIRST + 50 * MILLISECOND, SteadyTime(), true}}}, FIRST + 50 * MILLISECOND, false);
+  for (const Nanoseconds later : {Nanoseconds{0}, 3000 * MILLISECOND, 1'000'000 * MILLISECOND}) {
     ToolTracker tracker = toolTracker();
     tracker.recall(kept.keep());
     for (int i = 1; i <= 4; ++i) {
-      const ToolMove move = tracker.follow({}, START + later + i * STEP, false);
+      const ToolMove move = tracker.follow({}, FIRST + later + i * STEP, false);
       ASSERT_EQ(move.path.size(), 1u);
       EXPECT_NEAR(move.path[0].position.x(), 0.01 * (1 + i), 1e-14);
     }
@@ -105,9 +104,9 @@ TEST(TrackerMemory, AToolTrackersPosesAreAsOldAsWhenTheyWereKept) {
 
 TEST(TrackerMemory, AToolLedByNobodyYetGoesOnFromWhereItStands) {
   ToolTracker tracker = toolTracker();
-  tracker.restart(at(0.3));
+  tracker.restart(poseAt(0.3));
   EXPECT_TRUE(tracker.stale());
-  const ToolMove move = tracker.follow({{{at(0.31), START, SteadyTime(), true}}}, START, false);
+  const ToolMove move = tracker.follow({{{poseAt(0.31), FIRST, SteadyTime(), true}}}, FIRST, false);
   EXPECT_FALSE(move.placed);
   ASSERT_EQ(move.path.size(), 1u);
   EXPECT_TRUE(move.came_again);
@@ -118,8 +117,8 @@ TEST(TrackerMemory, AJawTrackerRecalledIsAsIfNeverKept) {
   JawTracker never(TIME_STEP), again(TIME_STEP);
   for (int i = 0; i < STEPS; ++i) {
     std::vector<ReceivedAngle> angles;
-    if (random() % 4 == 0) angles.push_back({1e-3 * static_cast<double>(random() % 1000), START + i * STEP});
-    EXPECT_EQ(again.follow(angles, START + i * STEP, false), never.follow(angles, START + i * STEP, false)) << i;
+    if (random() % 4 == 0) angles.push_back({1e-3 * static_cast<double>(random() % 1000), FIRST + i * STEP});
+    EXPECT_EQ(again.follow(angles, FIRST + i * STEP, false), never.follow(angles, FIRST + i * STEP, false)) << i;
     const JawTrackerMemory memory = savedAndRead(again.keep());
     again.restart();
     again.recall(memory);
@@ -129,7 +128,7 @@ TEST(TrackerMemory, AJawTrackerRecalledIsAsIfNeverKept) {
 TEST(TrackerMemory, ALinkTrackerRecalledIsAsIfNeverKept) {
   FramesInTests frames;
   const auto tracker = [&] {
-    return LinkTracker(LinkLookup(frames, [](const std::string&, const std::string&) {}), {{"arm", at(1)}, {"rib"}},
+    return LinkTracker(LinkLookup(frames, [](const std::string&, const std::string&) {}), {{"arm", poseAt(1)}, {"rib"}},
                        TIME_STEP);
   };
   std::mt19937 random(1);
@@ -137,8 +136,8 @@ TEST(TrackerMemory, ALinkTrackerRecalledIsAsIfNeverKept) {
   int moved = 0;
   for (int i = 0; i < STEPS; ++i) {
     for (const char* name : {"arm", "rib"})
-      if (random() % 5 == 0) frames.set(name, START + i * STEP, at(random() % 10 == 0 ? 5 : 1 + 1e-4 * i));
-    const std::vector<LinkMove> expected = never.follow(START + i * STEP, 0), moves = again.follow(START + i * STEP, 0);
+      if (random() % 5 == 0) frames.set(name, FIRST + i * STEP, poseAt(random() % 10 == 0 ? 5 : 1 + 1e-4 * i));
+    const std::vector<LinkMove> expected = never.follow(FIRST + i * STEP, 0), moves = again.follow(FIRST + i * STEP, 0);
     ASSERT_EQ(moves.size(), expected.size()) << i;
     for (std::size_t k = 0; k < moves.size(); ++k) {
       EXPECT_EQ(moves[k].link, expected[k].link);

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "pace/frames_in_tests.h"
+#include "pace/things_in_tests.h"
 
 namespace incision {
 namespace {
 
 using std::chrono::seconds;
-
-const SteadyTime START{seconds(100)};
-constexpr Nanoseconds SECOND = 1'000'000'000;
 
 /// A queue with a timeout of one second, and what came out of it.
 struct TransformQueueTest : testing::Test {

@@ -57,10 +57,10 @@ std::string refusalOf(const TriangleMesh& mesh) {
   return "";
 }
 
-const TriangleMesh BOX = boxMesh(Vec3(1, 2, 3));
+const TriangleMesh LONG_BOX = boxMesh(Vec3(1, 2, 3));
 
 TEST(ClosedMesh, JoinsTheVerticesOfAFileThatRepeatsThem) {
-  TriangleMesh soup = soupOf(BOX);
+  TriangleMesh soup = soupOf(LONG_BOX);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> rounding(-1e-7, 1e-7);
   for (Vec3& vertex : soup.vertices) vertex += Vec3(rounding(random), rounding(random), rounding(random));
@@ -74,7 +74,7 @@ TEST(ClosedMesh, JoinsTheVerticesOfAFileThatRepeatsThem) {
 TEST(ClosedMesh, LooksOutwardsHoweverTheFileTurnsItsTriangles) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     std::mt19937 random(seed);
-    TriangleMesh mesh = seed == 1 ? BOX : torusMesh(1, 0.3, 10);
+    TriangleMesh mesh = seed == 1 ? LONG_BOX : torusMesh(1, 0.3, 10);
     for (std::array<int, 3>& triangle : mesh.triangles)
       if (seed == 2 || random() % 2 == 0) std::swap(triangle[0], triangle[1]);
     const Closed turned = closed(mesh);
@@ -85,7 +85,7 @@ TEST(ClosedMesh, LooksOutwardsHoweverTheFileTurnsItsTriangles) {
 }
 
 TEST(ClosedMesh, WhatIsThereTwiceCountsOnce) {
-  const Closed twice = closed(together({BOX, BOX}));
+  const Closed twice = closed(together({LONG_BOX, LONG_BOX}));
   EXPECT_EQ(twice.mesh.triangles.size(), 12u);
   EXPECT_NEAR(volumeOf(twice.mesh), 6, 1e-12);
 }
@@ -93,7 +93,7 @@ TEST(ClosedMesh, WhatIsThereTwiceCountsOnce) {
 TEST(ClosedMesh, ACavityIsFilled) {
   TriangleMesh inner = boxMesh(Vec3(0.5, 0.5, 0.5));
   for (std::array<int, 3>& triangle : inner.triangles) std::swap(triangle[0], triangle[1]);
-  const Closed hollow = closed(together({BOX, inner}));
+  const Closed hollow = closed(together({LONG_BOX, inner}));
   EXPECT_EQ(hollow.mesh.shells(), 2);
   EXPECT_NEAR(volumeOf(hollow.mesh), 6 + 0.125, 1e-12);
 }
@@ -109,7 +109,7 @@ TEST(ClosedMesh, CubesThatMeetAtAnEdgeOrACornerStayTwo) {
 }
 
 TEST(ClosedMesh, ClosesHolesAndSaysSo) {
-  TriangleMesh open = BOX;
+  TriangleMesh open = LONG_BOX;
   open.triangles.erase(open.triangles.begin());
   const Closed three = closed(open);
   EXPECT_TRUE(isWhole(three.mesh));
@@ -143,7 +143,7 @@ TEST(ClosedMesh, AVertexOnAnotherTrianglesEdgeLeavesNoGap) {
 
 TEST(ClosedMesh, SheetsThatEncloseNothingAreLeftOutAndSaidToBe) {
   const TriangleMesh sheet = {{{5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const Closed beside = closed(together({BOX, sheet}));
+  const Closed beside = closed(together({LONG_BOX, sheet}));
   EXPECT_EQ(beside.mesh.shells(), 1);
   EXPECT_NE(beside.remark.find("1 sheet left out, which enclosed nothing"), std::string::npos) << beside.remark;
   EXPECT_EQ(refusalOf(sheet), "encloses nothing (allowed: surfaces that bound a solid)");

@@ -11,8 +11,6 @@
 namespace incision::test {
 namespace {
 
-const TriangleMesh ANGLE = angleMesh();
-
 Eigen::AlignedBox3d boxRound(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& vertex : mesh.vertices) box.extend(vertex);
@@ -20,10 +18,10 @@ Eigen::AlignedBox3d boxRound(const TriangleMesh& mesh) {
 }
 
 void expectAngle(const TriangleMesh& mesh, double scale) {
-  EXPECT_EQ(mesh.triangles.size(), ANGLE.triangles.size());
-  EXPECT_LT((boxRound(mesh).min() - scale * boxRound(ANGLE).min()).norm(), 1e-6 * scale);
-  EXPECT_LT((boxRound(mesh).max() - scale * boxRound(ANGLE).max()).norm(), 1e-6 * scale);
-  EXPECT_NEAR(volumeOf(mesh), std::pow(scale, 3) * volumeOf(ANGLE), 1e-6 * std::pow(scale, 3));
+  EXPECT_EQ(mesh.triangles.size(), angleMesh().triangles.size());
+  EXPECT_LT((boxRound(mesh).min() - scale * boxRound(angleMesh()).min()).norm(), 1e-6 * scale);
+  EXPECT_LT((boxRound(mesh).max() - scale * boxRound(angleMesh()).max()).norm(), 1e-6 * scale);
+  EXPECT_NEAR(volumeOf(mesh), std::pow(scale, 3) * volumeOf(angleMesh()), 1e-6 * std::pow(scale, 3));
 }
 
 std::string refusalOf(const std::string& bytes, const std::string& format) {
@@ -37,10 +35,10 @@ std::string refusalOf(const std::string& bytes, const std::string& format) {
 }
 
 TEST(ReadTriangleMesh, AllFormatsGiveTheSameTriangles) {
-  expectAngle(parseTriangleMesh(asTextStl(ANGLE), ".stl"), 1);
-  expectAngle(parseTriangleMesh(asBinaryStl(ANGLE), ".stl"), 1);
-  expectAngle(parseTriangleMesh(asObj(ANGLE), ".obj"), 1);
-  expectAngle(parseTriangleMesh(asCollada(ANGLE), ".dae"), 1);
+  expectAngle(parseTriangleMesh(asTextStl(angleMesh()), ".stl"), 1);
+  expectAngle(parseTriangleMesh(asBinaryStl(angleMesh()), ".stl"), 1);
+  expectAngle(parseTriangleMesh(asObj(angleMesh()), ".obj"), 1);
+  expectAngle(parseTriangleMesh(asCollada(angleMesh()), ".dae"), 1);
 }
 
 TEST(ReadTriangleMesh, CutsPolygonsIntoTriangles) {
@@ -51,15 +49,16 @@ TEST(ReadTriangleMesh, CutsPolygonsIntoTriangles) {
 TEST(ReadTriangleMesh, TakesColladasUnitAndNotItsUpAxis) {
   for (const char* up : {"X_UP", "Y_UP", "Z_UP"}) {
     SCOPED_TRACE(up);
-    expectAngle(parseTriangleMesh(asCollada(ANGLE, 0.001, "<node><instance_geometry url='#g'/></node>", up), ".dae"),
-                0.001);
+    expectAngle(
+        parseTriangleMesh(asCollada(angleMesh(), 0.001, "<node><instance_geometry url='#g'/></node>", up), ".dae"),
+        0.001);
   }
 }
 
 TEST(ReadTriangleMesh, PutsColladasNodesWhereTheyStand) {
   const std::string geometry = "<instance_geometry url='#g'/>";
   const TriangleMesh nested = parseTriangleMesh(
-      asCollada(ANGLE, 0.01,
+      asCollada(angleMesh(), 0.01,
                 "<node id='a'><translate>100 0 0</translate><rotate>0 0 1 90</rotate><node id='b'><scale>2 2 2</scale>"
                 "<translate>0 0 50</translate>" +
                     geometry + "</node></node>"),
@@ -76,8 +75,8 @@ TEST(ReadTriangleMesh, TakesEveryInstanceOfANode) {
   const std::string nodes =
       "<node id='a'><instance_node url='#twice'/></node>"
       "<node id='b'><translate>0 5 0</translate><instance_node url='#twice'/></node>";
-  const TriangleMesh four = parseTriangleMesh(asCollada(ANGLE, 1, nodes, "Z_UP", library), ".dae");
-  EXPECT_EQ(four.triangles.size(), 4 * ANGLE.triangles.size());
+  const TriangleMesh four = parseTriangleMesh(asCollada(angleMesh(), 1, nodes, "Z_UP", library), ".dae");
+  EXPECT_EQ(four.triangles.size(), 4 * angleMesh().triangles.size());
   EXPECT_LT((boxRound(four).max() - Vec3(4, 6, 0.4)).norm(), 1e-6);
 }
 
@@ -85,7 +84,7 @@ TEST(ReadTriangleMesh, InstancesThatGoInACircleAreRefused) {
   const std::string circle =
       "<library_nodes><node id='x'><instance_node url='#y'/></node><node id='y'><node><instance_node url='#x'/></node>"
       "</node></library_nodes>";
-  EXPECT_EQ(refusalOf(asCollada(ANGLE, 1, "<node><instance_node url='#x'/></node>", "Z_UP", circle), ".dae")
+  EXPECT_EQ(refusalOf(asCollada(angleMesh(), 1, "<node><instance_node url='#x'/></node>", "Z_UP", circle), ".dae")
                 .find("has nodes that go in a circle"),
             0u);
 }
@@ -96,41 +95,42 @@ TEST(ReadTriangleMesh, InstancesThatMultiplyAreRefused) {
     const std::string instance = "<instance_node url='#n" + std::to_string(i - 1) + "'/>";
     library += "<node id='n" + std::to_string(i) + "'>" + instance + instance + "</node>";
   }
-  EXPECT_EQ(
-      refusalOf(asCollada(ANGLE, 1, "<node><instance_node url='#n39'/></node>", "Z_UP", library + "</library_nodes>"),
-                ".dae"),
-      "has too many nodes (allowed: up to 100000)");
+  EXPECT_EQ(refusalOf(asCollada(angleMesh(), 1, "<node><instance_node url='#n39'/></node>", "Z_UP",
+                                library + "</library_nodes>"),
+                      ".dae"),
+            "has too many nodes (allowed: up to 100000)");
 }
 
 TEST(ReadTriangleMesh, DeepNestingDoesNotExhaustTheStack) {
   std::string nodes;
   for (int i = 0; i < 200'000; ++i) nodes += "<node>";
-  EXPECT_EQ(refusalOf(asCollada(ANGLE, 1, nodes), ".dae"), "has elements too deep in others (allowed: up to 200)");
+  EXPECT_EQ(refusalOf(asCollada(angleMesh(), 1, nodes), ".dae"),
+            "has elements too deep in others (allowed: up to 200)");
 }
 
 TEST(ReadTriangleMesh, WhatIsNoMeshIsRefusedInOneLine) {
   for (const char* format : {".stl", ".obj", ".dae"})
     for (const std::string& bytes : {std::string(), std::string("\0\0\0", 3), std::string("no mesh\nat all"),
-                                     asBinaryStl(ANGLE).substr(0, 120), std::string("solid s\nendsolid s\n")})
+                                     asBinaryStl(angleMesh()).substr(0, 120), std::string("solid s\nendsolid s\n")})
       EXPECT_NE(refusalOf(bytes, format), "") << format << " " << bytes;
   EXPECT_EQ(refusalOf("", ".wrl"), "is of no format that is read (allowed: .stl, .obj or .dae)");
 }
 
 TEST(ReadTriangleMesh, AHeaderThatPromisesMoreThanThereIsIsRefused) {
-  std::string bytes = asBinaryStl(ANGLE);
+  std::string bytes = asBinaryStl(angleMesh());
   for (int i = 80; i < 84; ++i) bytes[static_cast<std::size_t>(i)] = '\xff';
   EXPECT_NE(refusalOf(bytes, ".stl"), "");
 }
 
 TEST(ReadTriangleMesh, ACountThatFitsOnlyIn32BitsIsRefused) {
-  std::string bytes = asBinaryStl(ANGLE);
+  std::string bytes = asBinaryStl(angleMesh());
   bytes[83] = static_cast<char>(bytes[83] | 0x80);
-  EXPECT_EQ(refusalOf(bytes, ".stl"), "has a count of " + std::to_string((1U << 31) + ANGLE.triangles.size()) +
+  EXPECT_EQ(refusalOf(bytes, ".stl"), "has a count of " + std::to_string((1U << 31) + angleMesh().triangles.size()) +
                                           " triangles, for which it is too short");
 }
 
 TEST(ReadTriangleMesh, ColladasCountsOfMoreThanTheTextHoldsAreRefused) {
-  const std::string good = asCollada(ANGLE);
+  const std::string good = asCollada(angleMesh());
   for (const char* number : {"4294967295", "-15", "99999999999999999999999", "&#57;9", " 9", "0x1"})
     for (std::size_t at = good.find("count='"); at != std::string::npos; at = good.find("count='", at + 1)) {
       std::string bad = good;
@@ -149,7 +149,7 @@ TEST(ReadTriangleMesh, ColladasCountsOfMoreThanTheTextHoldsAreRefused) {
 }
 
 TEST(ReadTriangleMesh, ColladasIndicesThatAreNoNumbersAreRefused) {
-  const std::string good = asCollada(ANGLE);
+  const std::string good = asCollada(angleMesh());
   for (const char* wrong : {"x", "\xff", "&#49;", "<!-- -->", "1.5", "<p>"}) {
     std::string bad = good;
     bad.insert(bad.find("<p>") + std::string("<p>0 ").size(), wrong);
@@ -158,7 +158,7 @@ TEST(ReadTriangleMesh, ColladasIndicesThatAreNoNumbersAreRefused) {
 }
 
 TEST(ReadTriangleMesh, VerticesThatAreNotFiniteAreRefused) {
-  TriangleMesh bad = ANGLE;
+  TriangleMesh bad = angleMesh();
   bad.vertices[3].y() = std::nan("");
   EXPECT_EQ(refusalOf(asBinaryStl(bad), ".stl"), "has a vertex that is not finite (allowed: numbers)");
   bad.vertices[3].y() = 1e300;
@@ -166,7 +166,7 @@ TEST(ReadTriangleMesh, VerticesThatAreNotFiniteAreRefused) {
 }
 
 TEST(ReadTriangleMesh, MoreTrianglesThanTheLimitAreRefused) {
-  std::string bytes = asBinaryStl(ANGLE);
+  std::string bytes = asBinaryStl(angleMesh());
   const std::string triangle = bytes.substr(84, 50);
   const auto count = static_cast<std::uint32_t>(MAX_TRIANGLES + 1);
   std::memcpy(&bytes[80], &count, sizeof count);

@@ -10,10 +10,10 @@ namespace {
 constexpr double ROUNDING = 1e-14;  // of coordinates below 10
 
 const Vec3 AXIS = Vec3(1, 2, -2) / 3;
-constexpr double ANGLE = 2.5;
+constexpr double TURN = 2.5;
 
 const RigidMotion MOTION = {{Vec3(1, -2, 3), Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Vec3::UnitY()))},
-                            {Vec3(-4, 5, 6), Eigen::Quaterniond(Eigen::AngleAxisd(ANGLE, AXIS)) *
+                            {Vec3(-4, 5, 6), Eigen::Quaterniond(Eigen::AngleAxisd(TURN, AXIS)) *
                                                  Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Vec3::UnitY()))}};
 
 double distanceOf(const Pose& a, const Pose& b) {
@@ -27,7 +27,7 @@ TEST(RigidMotion, StartsAndEndsAtItsPoses) {
 
 TEST(RigidMotion, IsEven) {
   for (const double share : {0.125, 0.5, 0.9}) {
-    const Eigen::Quaterniond turned(Eigen::AngleAxisd(share * ANGLE, AXIS));
+    const Eigen::Quaterniond turned(Eigen::AngleAxisd(share * TURN, AXIS));
     const Vec3 moved = share * (MOTION.to.position - MOTION.from.position);
     EXPECT_LT(distanceOf(MOTION.at(share), {MOTION.from.position + moved, turned * MOTION.from.orientation}), ROUNDING);
   }

@@ -22,13 +22,13 @@ constexpr double SPHERE_RADIUS = 0.7, CYLINDER_RADIUS = 0.4, CYLINDER_LENGTH = 1
                  CAPSULE_LENGTH = 0.9;
 const Vec3 BOX_SIZE(0.5, 1.2, 0.8);
 
-const Sphere SPHERE(SPHERE_RADIUS);
-const Box BOX(BOX_SIZE);
-const Cylinder CYLINDER(CYLINDER_RADIUS, CYLINDER_LENGTH);
+const Sphere PLAIN_SPHERE(SPHERE_RADIUS);
+const Box PLAIN_BOX(BOX_SIZE);
+const Cylinder PLAIN_CYLINDER(CYLINDER_RADIUS, CYLINDER_LENGTH);
 const Capsule CAPSULE(CAPSULE_RADIUS, CAPSULE_LENGTH);
 const HalfSpace HALF_SPACE;
 
-const std::vector<const Solid*> ALL = {&SPHERE, &BOX, &CYLINDER, &CAPSULE, &HALF_SPACE};
+const std::vector<const Solid*> PLAIN = {&PLAIN_SPHERE, &PLAIN_BOX, &PLAIN_CYLINDER, &CAPSULE, &HALF_SPACE};
 
 constexpr int RUNGS = 200;  // samples along each direction of a surface
 
@@ -100,9 +100,9 @@ struct Sampled {
 };
 
 std::vector<Sampled> sampledSolids() {
-  return {{&SPHERE, sphereSamples(SPHERE_RADIUS)},
-          {&BOX, boxSamples(BOX_SIZE)},
-          {&CYLINDER, cylinderSamples(CYLINDER_RADIUS, CYLINDER_LENGTH)},
+  return {{&PLAIN_SPHERE, sphereSamples(SPHERE_RADIUS)},
+          {&PLAIN_BOX, boxSamples(BOX_SIZE)},
+          {&PLAIN_CYLINDER, cylinderSamples(CYLINDER_RADIUS, CYLINDER_LENGTH)},
           {&CAPSULE, capsuleSamples(CAPSULE_RADIUS, CAPSULE_LENGTH)}};
 }
 
@@ -125,9 +125,10 @@ TEST(SolidDistance, IsThatOfTheNearestOfManySurfacePoints) {
 TEST(SolidDistance, IsNegativeInside) {
   for (const Vec3& p : randomPoints(2000)) {
     const double across = p.head<2>().norm();
-    EXPECT_EQ(SPHERE.distanceTo(p).distance < 0, p.norm() < SPHERE_RADIUS);
-    EXPECT_EQ(BOX.distanceTo(p).distance < 0, (2 * p.array().abs() < BOX_SIZE.array()).all());
-    EXPECT_EQ(CYLINDER.distanceTo(p).distance < 0, across < CYLINDER_RADIUS && 2 * std::abs(p.z()) < CYLINDER_LENGTH);
+    EXPECT_EQ(PLAIN_SPHERE.distanceTo(p).distance < 0, p.norm() < SPHERE_RADIUS);
+    EXPECT_EQ(PLAIN_BOX.distanceTo(p).distance < 0, (2 * p.array().abs() < BOX_SIZE.array()).all());
+    EXPECT_EQ(PLAIN_CYLINDER.distanceTo(p).distance < 0,
+              across < CYLINDER_RADIUS && 2 * std::abs(p.z()) < CYLINDER_LENGTH);
     const double beyond = std::max(0.0, std::abs(p.z()) - CAPSULE_LENGTH / 2);
     EXPECT_EQ(CAPSULE.distanceTo(p).distance < 0, std::hypot(across, beyond) < CAPSULE_RADIUS);
     EXPECT_EQ(HALF_SPACE.distanceTo(p).distance < 0, p.z() < 0);
@@ -137,7 +138,7 @@ TEST(SolidDistance, IsNegativeInside) {
 TEST(SolidDistance, NormalIsItsGradient) {
   const double h = 1e-6;
   int compared = 0;
-  for (const Solid* solid : ALL)
+  for (const Solid* solid : PLAIN)
     for (const Vec3& p : randomPoints(500)) {
       const Vec3 normal = solid->distanceTo(p).normal;
       const std::optional<Vec3> gradient = test::distanceGradient(*solid, p, h);
@@ -154,7 +155,7 @@ TEST(SolidDistance, SurfacePointsAreAtZero) {
 }
 
 TEST(SolidDistance, SteppingBackAlongTheNormalReachesTheSurface) {
-  for (const Solid* solid : ALL)
+  for (const Solid* solid : PLAIN)
     for (const Vec3& p : randomPoints(500)) {
       const SolidDistance d = solid->distanceTo(p);
       EXPECT_NEAR(solid->distanceTo(p - d.distance * d.normal).distance, 0, 1e-15);
@@ -170,7 +171,7 @@ TEST(SolidDistance, NormalIsAUnitVectorEverywhere) {
       coordinates.push_back(end);
       coordinates.push_back(std::nextafter(end, 10));
     }
-  for (const Solid* solid : ALL)
+  for (const Solid* solid : PLAIN)
     for (const double x : coordinates)
       for (const double y : coordinates)
         for (const double z : coordinates) {
@@ -181,11 +182,11 @@ TEST(SolidDistance, NormalIsAUnitVectorEverywhere) {
 }
 
 TEST(SolidDistance, AtTheCentreTheNearestSurfaceIsMeant) {
-  EXPECT_EQ(SPHERE.distanceTo(Vec3::Zero()).distance, -0.7);
-  EXPECT_EQ(BOX.distanceTo(Vec3::Zero()).distance, -0.25);
-  EXPECT_EQ(std::abs(BOX.distanceTo(Vec3::Zero()).normal.x()), 1);
-  EXPECT_EQ(CYLINDER.distanceTo(Vec3::Zero()).distance, -0.4);
-  EXPECT_EQ(CYLINDER.distanceTo(Vec3::Zero()).normal.z(), 0);
+  EXPECT_EQ(PLAIN_SPHERE.distanceTo(Vec3::Zero()).distance, -0.7);
+  EXPECT_EQ(PLAIN_BOX.distanceTo(Vec3::Zero()).distance, -0.25);
+  EXPECT_EQ(std::abs(PLAIN_BOX.distanceTo(Vec3::Zero()).normal.x()), 1);
+  EXPECT_EQ(PLAIN_CYLINDER.distanceTo(Vec3::Zero()).distance, -0.4);
+  EXPECT_EQ(PLAIN_CYLINDER.distanceTo(Vec3::Zero()).normal.z(), 0);
 }
 
 TEST(Solid, ReachesAsFarAsTheFarthestOfManySurfacePoints) {
@@ -207,8 +208,8 @@ TEST(Solid, ReachesAsFarAsTheFarthestOfManySurfacePoints) {
 }
 
 TEST(Solid, NoTwoPlanesThatHoldItAreNearerThanItIsThick) {
-  for (const Solid* solid : {static_cast<const Solid*>(&SPHERE), static_cast<const Solid*>(&BOX),
-                             static_cast<const Solid*>(&CYLINDER), static_cast<const Solid*>(&CAPSULE)}) {
+  for (const Solid* solid : {static_cast<const Solid*>(&PLAIN_SPHERE), static_cast<const Solid*>(&PLAIN_BOX),
+                             static_cast<const Solid*>(&PLAIN_CYLINDER), static_cast<const Solid*>(&CAPSULE)}) {
     double least = std::numeric_limits<double>::infinity();
     std::vector<Vec3> normals = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
     for (const Vec3& p : randomPoints(200)) normals.push_back(p.normalized());
@@ -226,7 +227,7 @@ TEST(Solid, SizesOutOfRangeAreRefused) {
     EXPECT_THROW(Capsule(size, 1).check("here"), InputError);
     EXPECT_THROW(Capsule(1, size).check("here"), InputError);
   }
-  for (const Solid* solid : ALL) EXPECT_NO_THROW(solid->check("here"));
+  for (const Solid* solid : PLAIN) EXPECT_NO_THROW(solid->check("here"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ YAML::Node whole(const std::string& part) {
   return scene;
 }
 
-std::string complaint(const std::string& part) {
+std::string complaintOfPart(const std::string& part) {
   try {
     parseScene(whole(part), "scene.yaml", "/folder");
     return "";
@@ -58,7 +58,7 @@ std::string complaint(const std::string& part) {
 
 TEST(ForeignWordsInScenes, EveryExampleIsAPartOfAScene) {
   for (const ForeignWords& known : foreignWords())
-    for (const std::string& example : known.examples) EXPECT_EQ(complaint(example), "") << known.how;
+    for (const std::string& example : known.examples) EXPECT_EQ(complaintOfPart(example), "") << known.how;
 }
 
 TEST(ForeignWordsInScenes, EveryWordIsAnsweredInEachOfItsSections) {
@@ -68,7 +68,7 @@ TEST(ForeignWordsInScenes, EveryWordIsAnsweredInEachOfItsSections) {
       for (std::string scene : SECTIONS.at(key))
         for (const std::string& word : apart(known.words)) {
           std::string with = scene;
-          const std::string said = complaint(with.replace(with.find("WORD"), 4, word));
+          const std::string said = complaintOfPart(with.replace(with.find("WORD"), 4, word));
           EXPECT_NE(said.find(word + ": unknown key: " + known.how), std::string::npos) << with << "\n" << said;
           EXPECT_EQ(said.find('\n'), std::string::npos) << said;
         }

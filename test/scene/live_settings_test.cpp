@@ -13,7 +13,7 @@ LiveSettings parsed(const std::string& yaml, const LiveSettings& now) {
   return parseLiveSettings(YamlValue(YAML::Load(yaml), "here").map(liveKeys()), now);
 }
 
-std::string complaint(const std::string& yaml) {
+std::string complaintOfChange(const std::string& yaml) {
   try {
     parsed(yaml, liveSettingsOf(Scene()));
     return "";
@@ -40,11 +40,11 @@ TEST(LiveSettings, ChangeInWhatIsSaidAlone) {
 }
 
 TEST(LiveSettings, AreRefusedAsInTheScene) {
-  EXPECT_EQ(complaint("{tolerance: 0.5}"), "here: tolerance: '0.5' (allowed: 1e-12 to 0.1)");
-  EXPECT_EQ(complaint("{threads: 0}"), "here: threads: '0' (allowed: a whole number, 1 to 64)");
-  EXPECT_EQ(complaint("{gravity_y: .nan}"), "here: gravity_y: '.nan' (allowed: a finite number)");
-  EXPECT_EQ(complaint("{cutting_force_factor: -1}"), "here: cutting_force_factor: '-1' (allowed: 0 or more)");
-  EXPECT_NE(complaint("{time_step: 0.1}").find("time_step: unknown key"), std::string::npos);
+  EXPECT_EQ(complaintOfChange("{tolerance: 0.5}"), "here: tolerance: '0.5' (allowed: 1e-12 to 0.1)");
+  EXPECT_EQ(complaintOfChange("{threads: 0}"), "here: threads: '0' (allowed: a whole number, 1 to 64)");
+  EXPECT_EQ(complaintOfChange("{gravity_y: .nan}"), "here: gravity_y: '.nan' (allowed: a finite number)");
+  EXPECT_EQ(complaintOfChange("{cutting_force_factor: -1}"), "here: cutting_force_factor: '-1' (allowed: 0 or more)");
+  EXPECT_NE(complaintOfChange("{time_step: 0.1}").find("time_step: unknown key"), std::string::npos);
   LiveSettings settings = liveSettingsOf(Scene());
   settings.threads = 65;
   EXPECT_NE(whyInvalid(settings), "");

@@ -14,7 +14,7 @@ namespace incision {
 namespace {
 
 // Smallest scene, to which a test adds its sections.
-const std::string BODY = "body: {grid: {cells: [1, 2, 3]}}\n";
+const std::string GRID_BODY = "body: {grid: {cells: [1, 2, 3]}}\n";
 
 // A file that lives as long as the test.
 class SceneFile {
@@ -46,7 +46,7 @@ TEST(SceneFile, JsonIsYamlToo) {
 }
 
 TEST(SceneFile, OverridesReplaceAndAdd) {
-  const SceneFile file(BODY + "cuts: [{normal: [0, 1, 0]}]\n");
+  const SceneFile file(GRID_BODY + "cuts: [{normal: [0, 1, 0]}]\n");
   const Scene scene =
       loadScene(file.path(), {"solver.time_step=0.005", "solver.time_step=0.002", "cuts.0.normal=[1,0,0]",
                               "cuts.1={normal: [0, 0, 1]}", "body.grid.size=[2, 2, 2]"});
@@ -63,7 +63,7 @@ TEST(SceneFile, MalformedOverridesAreRefused) {
        {"", "=", "solver", "=1", ".a=1", "a.=1", "a..b=1", "cuts.5.normal=[1,0,0]", "cuts.x=1", "gravity.-1=1",
         "solver.time_step.x=1", "solver.time_step=[", "solver.tim_step=1", "solver.time_step=fast",
         "solver={time_step: 0.1, time_step: 0.2}", "a\n=1", "body.grid.cells="}) {
-    const std::string message = fileComplaint(BODY + "cuts: []\nsolver: {time_step: 0.1}\n", {bad});
+    const std::string message = fileComplaint(GRID_BODY + "cuts: []\nsolver: {time_step: 0.1}\n", {bad});
     EXPECT_FALSE(message.empty()) << bad;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }

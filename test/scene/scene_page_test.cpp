@@ -28,7 +28,7 @@ std::string sceneWith(const std::string& key) {
 }
 
 // What is said of such a scene when one value is put into it.
-std::string complaint(const std::string& key, const std::string& value) {
+std::string complaintOfKey(const std::string& key, const std::string& value) {
   try {
     loadScene(sceneWith(key), {key + "=" + value});
     return "";
@@ -58,7 +58,7 @@ TEST(ScenePage, ListsEveryKeyAndNoOther) {
     if (section.rfind("tools.", 0) == 0) keys.insert(of_all_tools.begin(), of_all_tools.end());
   for (const auto& [section, keys] : listed) {
     if (keys.empty()) continue;
-    const std::string message = complaint((section.empty() ? "" : section + ".") + "?", "1");
+    const std::string message = complaintOfKey((section.empty() ? "" : section + ".") + "?", "1");
     std::smatch allowed;
     ASSERT_TRUE(std::regex_search(message, allowed, std::regex(R"(unknown key \(allowed: (.*)\))"))) << message;
     std::set<std::string> known;
@@ -87,11 +87,11 @@ TEST(ScenePage, GivesTheRangesOfNumbers) {
       good = {"-1e300", "1e300"}, bad = {".inf", ".nan"};
     }
     EXPECT_FALSE(good.empty()) << row.key << ": " << row.range;
-    for (const std::string& value : good) EXPECT_EQ(complaint(row.key, value), "") << row.key;
-    for (const std::string& value : bad) EXPECT_NE(complaint(row.key, value), "") << row.key << " " << value;
+    for (const std::string& value : good) EXPECT_EQ(complaintOfKey(row.key, value), "") << row.key;
+    for (const std::string& value : bad) EXPECT_NE(complaintOfKey(row.key, value), "") << row.key << " " << value;
     if (std::regex_search(range, std::regex(R"(\.inf)"))) {
       // Another section may still need a number there, and then says so without a range.
-      EXPECT_EQ(complaint(row.key, ".inf").find("allowed"), std::string::npos) << row.key;
+      EXPECT_EQ(complaintOfKey(row.key, ".inf").find("allowed"), std::string::npos) << row.key;
     }
     ++checked;
   }

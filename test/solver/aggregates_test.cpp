@@ -15,8 +15,8 @@ struct Body {
   std::vector<PlaneCut> cuts;
 };
 
-const PlaneCut HALVES = plane(Vec3(0.48, 0.5, 0.5), Vec3(1, 0.2, 0.1));
-const PlaneCut FRAGMENT = plane(Vec3(0.01, 0, 0), Vec3::Ones());
+const PlaneCut SLANTED = plane(Vec3(0.48, 0.5, 0.5), Vec3(1, 0.2, 0.1));
+const PlaneCut CORNER = plane(Vec3(0.01, 0, 0), Vec3::Ones());
 
 std::vector<PlaneCut> slices(int count) {
   std::vector<PlaneCut> cuts;
@@ -80,8 +80,8 @@ std::string bodyName(const ::testing::TestParamInfo<Body>& test) { return test.p
 
 INSTANTIATE_TEST_SUITE_P(Aggregates, Grouping,
                          ::testing::Values(Body{"Element", {1, 1, 1}, {}}, Body{"Block", {8, 8, 8}, {}},
-                                           Body{"Halves", {6, 6, 6}, {HALVES}},
-                                           Body{"Fragment", {6, 6, 6}, {HALVES, FRAGMENT}},
+                                           Body{"Halves", {6, 6, 6}, {SLANTED}},
+                                           Body{"Fragment", {6, 6, 6}, {SLANTED, CORNER}},
                                            Body{"SlicesInOneCell", {1, 4, 4}, slices(6)}),
                          bodyName);
 

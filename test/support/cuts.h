@@ -1,6 +1,7 @@
 #pragma once
 
 #include "incision/cut/crack.h"
+#include "incision/mesh/grid_settings.h"
 
 namespace incision {
 
@@ -19,5 +20,8 @@ inline PlaneCut rectangle(const Vec3& point, const Vec3& normal, const Vec3& tan
   cut.width = width;
   return cut;
 }
+
+/// 1 m wide, of 4 × 4 × 4 cells.
+const GridSettings CUBE = {{4, 4, 4}, Vec3::Ones(), Vec3::Zero()};
 
 }  // namespace incision

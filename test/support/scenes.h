@@ -1,5 +1,8 @@
 #pragma once
 
+#include <sstream>
+#include <string>
+
 #include "incision/body/deformable_body.h"
 #include "support/cuts.h"
 
@@ -53,6 +56,15 @@ inline double largestDifference(const std::vector<Vec3>& a, const std::vector<Ve
   double largest = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
   return largest;
+}
+
+inline DeformableBody makeBody(const Scene& scene) { return DeformableBody(scene, loadMesh(scene)); }
+
+/// As it is saved.
+inline std::string bytesOf(const DeformableBody& body) {
+  std::ostringstream bytes;
+  body.save(bytes);
+  return bytes.str();
 }
 
 }  // namespace incision::test

@@ -8,7 +8,7 @@
 namespace incision {
 namespace {
 
-Vec3 areaVector(const std::vector<Vec3>& loop, const std::array<int, 3>& t) {
+Vec3 vectorAreaIn(const std::vector<Vec3>& loop, const std::array<int, 3>& t) {
   return (loop[t[1]] - loop[t[0]]).cross(loop[t[2]] - loop[t[0]]) / 2;
 }
 
@@ -39,8 +39,8 @@ TEST(Triangulate, FindsTrianglesOfAreaThoughCornersLieOnStraightSides) {
     EXPECT_EQ(triangles.size(), loop.size() - 2);
     double area = 0;
     for (const auto& t : triangles) {
-      EXPECT_GT(areaVector(loop, t).z(), 1e-6);
-      area += areaVector(loop, t).z();
+      EXPECT_GT(vectorAreaIn(loop, t).z(), 1e-6);
+      area += vectorAreaIn(loop, t).z();
     }
     EXPECT_NEAR(area, 0.5, 1e-14);
   }

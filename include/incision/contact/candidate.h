@@ -37,17 +37,17 @@ struct Candidate {
   int partner;     ///< the obstacle, BODY: the body's own face, or EDGES: two of the body's edges
   int other = -1;  ///< for EDGES the second edge, for BODY a vertex of the face
   Vec3 normal;     ///< n, unit, from the partner to the point
-  double gap;      ///< g [m] when the step starts, negative inside
+  double gap = 0;  ///< g [m] when the step starts, negative inside
   double way_out = std::numeric_limits<double>::infinity();  ///< a bound on how deep it counts, by another way out [m]
-  double ignored;                                            ///< depth that the force leaves alone [m]
-  double worked_off;                                         ///< how much of it is still to be worked off [m]
-  Vec3 drift;            ///< of the partner in the step, where it is an obstacle [m]
-  double stiffness;      ///< k [N/m]
-  double tangential;     ///< k_t [N/m]
-  double size;           ///< h of the elements there [m]
-  Vec3 slip;             ///< s, tangential: how far the point has dragged on the partner, elastically [m]
-  Vec3 normal_in_solid;  ///< the normal in the frame of the solid; that of the body itself where it is the partner
-  Spring point;          ///< y: the point less what it meets on the body; its stiffness and force are for update()
+  double ignored = 0;                                        ///< depth that the force leaves alone [m]
+  double worked_off = 0;                                     ///< how much of it is still to be worked off [m]
+  Vec3 drift;             ///< of the partner in the step, where it is an obstacle [m]
+  double stiffness = 0;   ///< k [N/m]
+  double tangential = 0;  ///< k_t [N/m]
+  double size = 0;        ///< h of the elements there [m]
+  Vec3 slip;              ///< s, tangential: how far the point has dragged on the partner, elastically [m]
+  Vec3 normal_in_solid;   ///< the normal in the frame of the solid; that of the body itself where it is the partner
+  Spring point;           ///< y: the point less what it meets on the body; its stiffness and force are for update()
 
   static constexpr int BODY = -1, EDGES = -2;
 

@@ -13,8 +13,12 @@ namespace incision {
 /// Wall time that never jumps.
 using SteadyTime = std::chrono::steady_clock::time_point;
 
+inline SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
+
 /// ROS time [ns]. Plain integers, because differences of ros::Time throw where a hostile stamp makes them overflow.
 using Nanoseconds = std::int64_t;
+
+inline double toSeconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
 
 /// Whether it is one that a message can say: from 1970 on, in seconds of 32 bits.
 inline bool isRosTime(Nanoseconds time) { return 0 <= time && time < Nanoseconds{1'000'000'000} << 32; }

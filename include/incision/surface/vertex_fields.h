@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "incision/surface/surface.h"
 
 namespace incision {
+
+/// Of a triangle whose vertices are among those at `x` [m], by the sense in which its corners run [m²].
+Vec3 vectorArea(const std::array<int, 3>& triangle, const std::vector<Vec3>& x);
 
 /// Unit normals at the vertices of a surface whose vertices are at `x` [m]: the mean of those of the triangles round
 /// each, by their areas; zero where these are flat or cancel.

@@ -9,7 +9,7 @@ namespace {
 constexpr double TRANSFORM_PERIOD = 0.01;
 
 /// A pose a period later by the grid of its stamps may be a rounding error earlier.
-constexpr double ROUNDING = 1e-6;
+constexpr double EARLY = 1e-6;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ ToolPosePublisher::ToolPosePublisher(ros::NodeHandle& node, std::string tool_fra
 void ToolPosePublisher::publish(const geometry_msgs::PoseStamped& pose) {
   poses_.publish(pose);
   const double since = (pose.header.stamp - last_transform_).toSec();
-  if (since >= 0 && since < TRANSFORM_PERIOD - ROUNDING) return;
+  if (since >= 0 && since < TRANSFORM_PERIOD - EARLY) return;
   last_transform_ = pose.header.stamp;
   geometry_msgs::TransformStamped transform;
   transform.header = pose.header;

@@ -8,7 +8,7 @@ namespace {
 /// How far from an element, in its own coordinates, a sweep still counts as passing it. A crack that is one plane in
 /// each element runs beside the swept surface by what that bends within one, and so through elements that the surface
 /// itself just misses.
-constexpr double MARGIN = 0.5;
+constexpr double ENTRY_MARGIN = 0.5;
 
 /// How far from a cut element, in its own coordinates, a sweep still frees it: on a path that curves within two
 /// elements the blade is beside the far end of the crack in one when it is well into the next.
@@ -64,7 +64,7 @@ bool Stroke::record(const Stand& last, const Edge& to, const std::vector<Vec3>& 
       const Vec3 room = margin * box.sizes();
       return reach.intersects(Eigen::AlignedBox3d(box.min() - room, box.max() + room));
     };
-    if (!meets(part.detail >= 0 ? FREEING_MARGIN : MARGIN)) continue;
+    if (!meets(part.detail >= 0 ? FREEING_MARGIN : ENTRY_MARGIN)) continue;
     const PartFrame was(part, last.x), is(part, x);
     if (!was.invertible() || !is.invertible()) continue;
     Passed passed;
@@ -72,7 +72,7 @@ bool Stroke::record(const Stand& last, const Edge& to, const std::vector<Vec3>& 
     passed.corners = {was.toElement(last.edge[0]), was.toElement(last.edge[1]), is.toElement(to[1]),
                       is.toElement(to[0])};
     if (outside(passed.corners, FREEING_MARGIN)) continue;
-    if (!meets(MARGIN) || outside(passed.corners, MARGIN)) {
+    if (!meets(ENTRY_MARGIN) || outside(passed.corners, ENTRY_MARGIN)) {
       if (part.detail >= 0) beside_.push_back(passed);
       continue;
     }

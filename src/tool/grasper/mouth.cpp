@@ -14,7 +14,7 @@ namespace {
 constexpr double PRESSED = 0.25;
 
 /// Points that stand for the room: what they can miss is smaller than a hundredth of it.
-constexpr std::size_t POINTS = 384;
+constexpr std::size_t MOUTH_POINTS = 384;
 
 /// Lattice points in the box round each shape of a jaw from which the room before it is sought, and points on the way
 /// from there to the other jaw.
@@ -66,7 +66,7 @@ Mouth::Mouth(const JawLinks& links, double angle) : links_(links) {
     addRoomBefore(inside, direction, &room);
     addRoomBefore(inside, -direction, &room);
   }
-  for (const int i : spreadOut(room, POINTS))
+  for (const int i : spreadOut(room, MOUTH_POINTS))
     if (isBetween(room[i])) points_.push_back(room[i]);
   for (const Vec3& point : points_) box_.extend(point);
 }

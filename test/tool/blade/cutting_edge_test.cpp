@@ -10,14 +10,14 @@
 namespace incision {
 namespace {
 
-constexpr double FORCE = 100;  // [N/m]
+constexpr double PLAIN_FORCE = 100;  // [N/m]
 
 /// Cells across the block, and speeds of the edge [m/s].
 const std::vector<int> CELLS = test::SANITIZED ? std::vector<int>{3} : std::vector<int>{3, 5};
 const std::vector<double> SPEEDS = test::SANITIZED ? std::vector<double>{0.5} : std::vector<double>{0.02, 0.1, 0.5};
 
 TEST(CuttingEdge, BeforeItComesToTheTissueItFeelsNothing) {
-  Pushed pushed(blockAndEdge(3, FORCE));
+  Pushed pushed(blockAndEdge(3, PLAIN_FORCE));
   pushed.to(-0.001, 0.05);
   EXPECT_EQ(pushed.most, 0);
   EXPECT_FALSE(pushed.report.touching);
@@ -42,61 +42,62 @@ TEST(CuttingEdge, BelowTheCuttingForceTheTissueGivesWayLinearlyUncut) {
 
 TEST(CuttingEdge, AdvancesAgainstTheCuttingForceTimesItsLengthInTheTissue) {
   for (const int cells : CELLS) {
-    Pushed pushed(blockAndEdge(cells, FORCE));
+    Pushed pushed(blockAndEdge(cells, PLAIN_FORCE));
     pushed.to(0.04, 0.05);
     for (const double x : {0.05, 0.06, 0.07, 0.09, 0.11}) {
       pushed.to(x, 0.05);
-      EXPECT_NEAR(pushed.report.force.x(), -FORCE * BLOCK_HEIGHT, 0.03 * FORCE * BLOCK_HEIGHT) << cells << " " << x;
-      EXPECT_LT(pushed.report.force.tail<2>().norm(), 0.05 * FORCE * BLOCK_HEIGHT) << cells << " " << x;
+      EXPECT_NEAR(pushed.report.force.x(), -PLAIN_FORCE * BLOCK_HEIGHT, 0.03 * PLAIN_FORCE * BLOCK_HEIGHT)
+          << cells << " " << x;
+      EXPECT_LT(pushed.report.force.tail<2>().norm(), 0.05 * PLAIN_FORCE * BLOCK_HEIGHT) << cells << " " << x;
     }
   }
 }
 
 TEST(CuttingEdge, ARegionMayTakeAnotherForce) {
-  Scene scene = blockAndEdge(3, FORCE);
+  Scene scene = blockAndEdge(3, PLAIN_FORCE);
   RegionSettings tough;
   tough.place = {Vec3(0.08, -1, -1), Vec3(0.14, 1, 1)};
-  tough.cutting_force = 2.5 * FORCE;
+  tough.cutting_force = 2.5 * PLAIN_FORCE;
   scene.body.regions = {tough};
   Pushed pushed(scene);
   pushed.to(0.05, 0.05);
-  EXPECT_NEAR(pushed.report.force.x(), -FORCE * BLOCK_HEIGHT, 0.03 * FORCE * BLOCK_HEIGHT);
+  EXPECT_NEAR(pushed.report.force.x(), -PLAIN_FORCE * BLOCK_HEIGHT, 0.03 * PLAIN_FORCE * BLOCK_HEIGHT);
   pushed.to(0.11, 0.05);
-  EXPECT_NEAR(pushed.report.force.x(), -2.5 * FORCE * BLOCK_HEIGHT, 0.03 * FORCE * BLOCK_HEIGHT);
+  EXPECT_NEAR(pushed.report.force.x(), -2.5 * PLAIN_FORCE * BLOCK_HEIGHT, 0.03 * PLAIN_FORCE * BLOCK_HEIGHT);
 }
 
 TEST(CuttingEdge, TheWorkIsTheAreaTimesTheFractureEnergy) {
   for (const int cells : CELLS)
     for (const double speed : SPEEDS) {
-      Pushed pushed(blockAndEdge(cells, FORCE));
+      Pushed pushed(blockAndEdge(cells, PLAIN_FORCE));
       pushed.to(0.03, speed);
       const double work = pushed.work, energy = pushed.energy(), area = pushed.report.stroke_area;
       pushed.to(0.13, speed);
       const double spent = pushed.work - work - (pushed.energy() - energy);
       const double cut = pushed.report.stroke_area - area;
-      EXPECT_NEAR(spent, FORCE * cut, 0.03 * FORCE * cut) << cells << " " << speed;
+      EXPECT_NEAR(spent, PLAIN_FORCE * cut, 0.03 * PLAIN_FORCE * cut) << cells << " " << speed;
       EXPECT_NEAR(cut, 0.1 * BLOCK_HEIGHT, 0.03 * 0.1 * BLOCK_HEIGHT) << cells << " " << speed;
     }
 }
 
 TEST(CuttingEdge, TheWorkOfAWholeStrokeCountsFromTheSkin) {
   for (const int cells : CELLS) {
-    Pushed pushed(blockAndEdge(cells, FORCE));
+    Pushed pushed(blockAndEdge(cells, PLAIN_FORCE));
     pushed.to(0.06, 0.05);
     const double spent = pushed.work - pushed.energy(), area = pushed.report.stroke_area;
     // Below it is what the edge slips elastically; an element's section is known to a hundredth of it.
-    EXPECT_NEAR(spent, FORCE * area, 0.05 * FORCE * area) << cells;
+    EXPECT_NEAR(spent, PLAIN_FORCE * area, 0.05 * PLAIN_FORCE * area) << cells;
   }
 }
 
 TEST(CuttingEdge, GoingBackItIsFree) {
-  Pushed pushed(blockAndEdge(3, FORCE));
+  Pushed pushed(blockAndEdge(3, PLAIN_FORCE));
   pushed.to(0.08, 0.05);
   const double area = pushed.report.stroke_area;
   pushed.to(0.07, 0.05);  // the tissue has sprung back
   pushed.most = 0;
   pushed.to(-0.02, 0.05);
-  EXPECT_LT(pushed.most, 1e-9 * FORCE);
+  EXPECT_LT(pushed.most, 1e-9 * PLAIN_FORCE);
   EXPECT_NEAR(pushed.report.stroke_area, area, 1e-3 * area);
 }
 
@@ -198,7 +199,7 @@ TEST(CuttingEdge, PushedAlongItselfWithoutAShapeItIsFree) {
 }
 
 TEST(CuttingEdge, BodyAndToolKeepTheirMomentum) {
-  Scene scene = blockAndEdge(3, FORCE);
+  Scene scene = blockAndEdge(3, PLAIN_FORCE);
   scene.boundary.clear();
   scene.body.material.mass_damping = 0;
   scene.body.material.stiffness_damping = 0.01;

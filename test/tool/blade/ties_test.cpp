@@ -28,7 +28,7 @@ Scene pulledBlock(int cells, bool progressive, Method method = Method::DIRECT) {
   return scene;
 }
 
-constexpr double Y = 0.003;  // off the planes of nodes
+constexpr double OFF_NODES = 0.003;  // off the planes of nodes
 
 /// How far the mouth of the slit is open: what the block's corners at x = 0 are apart, less at rest [m].
 double opening(const DeformableBody& body) {
@@ -59,7 +59,7 @@ Course course(int cells, int moves, bool progressive) {
   Course course;
   for (int k = 0; k < 20; ++k) body.step();
   for (int k = 0; k <= moves; ++k) {
-    body.guideTool({poseAt(-0.01 + 0.12 * k / moves, Y)});
+    body.guideTool({poseAt(-0.01 + 0.12 * k / moves, OFF_NODES)});
     for (int rest = 0; rest < 6; ++rest) body.step();
     course.opening.push_back(opening(body));
     course.energy.push_back(body.motion().elastic_energy);
@@ -81,9 +81,9 @@ TEST(Ties, OpeningAndEnergyDoNotJumpWhereTheBladeEntersAnElement) {
 /// The body after the blade has gone to x, at rest.
 std::unique_ptr<DeformableBody> cutTo(const Scene& scene, double x) {
   auto body = std::make_unique<DeformableBody>(scene, loadMesh(scene));
-  body->placeTool(poseAt(-0.01, Y));
+  body->placeTool(poseAt(-0.01, OFF_NODES));
   for (int k = 1; k <= 40; ++k) {
-    body->guideTool({poseAt(-0.01 + (x + 0.01) * k / 40, Y)});
+    body->guideTool({poseAt(-0.01 + (x + 0.01) * k / 40, OFF_NODES)});
     body->step();
   }
   for (int k = 0; k < 60; ++k) body->step();

@@ -13,7 +13,7 @@
 namespace incision::test {
 namespace {
 
-constexpr double EXACT = 1e-10, G = 9.81, CLOSED = 0.1;
+constexpr double BALANCED = 1e-10, G = 9.81, CLOSED = 0.1;
 /// A step has settled when its forces are as near as that to what they should be.
 constexpr double SETTLED = 1e-3;
 
@@ -68,7 +68,8 @@ struct GripRig : Rig {
     for (auto& each : tool) felt += each->felt[0].force;
     const Vec3 damped = -massDamping() * time_step * momentum();
     largest_force = std::max({largest_force, felt.norm(), weight.norm()});
-    EXPECT_LT((momentum() - before - damped - time_step * (weight - felt)).norm(), EXACT * time_step * largest_force);
+    EXPECT_LT((momentum() - before - damped - time_step * (weight - felt)).norm(),
+              BALANCED * time_step * largest_force);
     return tool[0]->felt[0].force;
   }
   Vec3 rest(int steps = 1) {
