@@ -1,0 +1,63 @@
+"""Problems in which bodies touch: error against wall time."""
+
+import numpy as np
+
+from contact.figures import WANTED, coarsest, curves, errors, find, order, refined
+from plots import curve, plain_numbers
+
+PANELS = {'rest': ('sphere pressed into a block', 'layer held by friction', 'column of three pieces'),
+          'moving': ('block that slides', 'slit bar that beats on itself')}
+
+
+def draw_errors(axes, problem):
+    for k, found in enumerate(problem['curves']):
+        axes.plot([p['ms'] for p in found['points']], 100 * np.array(errors(found['points'])), label=found['name'],
+                  **curve(k))
+    axes.set(xscale='log', yscale='log', title=f"{problem['name']}, {problem['quantity']}", xlabel='wall time [ms]',
+             ylabel='error [%]')
+    axes.title.set_fontsize(9)
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = axis.get_view_interval()
+        plain_numbers(axis, (1, 2, 5) if high < 100 * low else (1,))
+    axes.legend()
+
+
+def choice(points, wanted):
+    """In words: how fine, and in what time."""
+    found = coarsest(points, wanted)
+    if not found:
+        return None
+    fine = f"{found['across']} across" if refined(points) == 'across' else f"{1e3 * found['time_step']:g} ms"
+    return f"{fine}: {found['ms']:.0f} ms"
+
+
+def spring_share(point):
+    """What the springs of the column's joints give way by, p h/(20 E) each, of ρ g H²/(2E)."""
+    height, joints, element = 0.3, (0.107, 0.211), 0.1 / point['across']
+    return sum(height - z for z in joints) * element / 20 / (height ** 2 / 2)
+
+
+def row(problem, found):
+    points = found['points']
+    return {'problem': f"{problem['name']}, {found['name']}", 'error': points[-1]['error'],
+            'order': order(points) if problem['name'] != 'layer held by friction' else None,
+            'chosen': [choice(points, wanted) for wanted in WANTED]}
+
+
+def fields(data, draw):
+    for name, titles in PANELS.items():
+        with draw.panels(name, len(titles)) as panels:
+            for axes, title in zip(panels, titles):
+                draw_errors(axes, next(p for p in data['problems'] if p['name'] == title))
+    sphere = find(data, 'sphere pressed into a block', 'graded grid')
+    held = find(data, 'layer held by friction', 'grid')
+    whole, cut = (find(data, 'column of three pieces', name) for name in ('whole', 'cut into three'))
+    direct, iterative = (find(data, 'block that slides', name) for name in ('direct', 'iterative'))
+    return {'rows': [row(problem, found) for problem, found in curves(data)],
+            'wanted': [f'{100 * wanted:g} %' for wanted in WANTED],
+            'unsettled': sum(point['unsettled'] for _, found in curves(data) for point in found['points']),
+            'sphere': sphere[-1], 'held': [min(errors(held)), max(errors(held))],
+            'joints': cut[-1]['error'] - whole[-1]['error'], 'joints_first': cut[0]['error'] - whole[0]['error'],
+            'springs_first': spring_share(cut[0]), 'springs': spring_share(cut[-1]),
+            'coarse': cut[0]['across'], 'fine': cut[-1]['across'],
+            'alike': max(abs(a['error'] - b['error']) for a, b in zip(direct, iterative))}
