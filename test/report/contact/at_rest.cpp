@@ -8,16 +8,17 @@ namespace incision::report {
 namespace {
 
 constexpr double DENSITY = 1000, STIFF = 1e6, SOFT = 1e5;  // [kg/m³], [Pa]
-constexpr double STEP = 0.01;                              // [s]
-constexpr int STEPS = 200;                                 // until what swings has come to rest
+constexpr double LONG_STEP = 0.01, SHORT_STEP = 0.0025;    // [s]
+constexpr double DURATION = 2;                             // until what swings has come to rest [s]
 constexpr double RAMP = 0.5;                               // of loads [s], longer than anything swings
 constexpr double FRICTION = 0.3;
+constexpr double PRESSURE = 1000, LAYER_HEIGHT = 0.1;  // [Pa], [m]
+const Vec3 COLUMN(0.1, 0.1, 0.3);                      // [m]
 
 Scene onTheGround(const std::array<int, 3>& cells, const Vec3& size) {
   Scene scene;
   scene.body.grid = GridSettings{cells, size, Vec3::Zero()};
   scene.body.material = {STIFF, 0, DENSITY, 0, 2e-3};  // ν = 0: nothing widens, so the answers are exact
-  scene.solver.time_step = STEP;
   scene.contact = ContactSettings();
   scene.contact->ground = 0;
   scene.contact->friction = FRICTION;
@@ -26,13 +27,14 @@ Scene onTheGround(const std::array<int, 3>& cells, const Vec3& size) {
 
 /// Takes the steps until it rests, and then the value.
 template <typename Value>
-ContactRun restOf(const Scene& scene, int across, const Value& value) {
+ContactRun restOf(Scene scene, int across, double time_step, const Value& value) {
+  scene.solver.time_step = time_step;
   const TetMesh mesh = loadMesh(scene);
   const Clock clock;
   DeformableBody body(scene, mesh);
-  for (int k = 0; k < STEPS; ++k) body.step();
+  for (int k = 0; k < std::lround(DURATION / time_step); ++k) body.step();
   const double ms = clock.ms();
-  return {static_cast<int>(mesh.elements.size()), across, STEP, ms, value(body),
+  return {static_cast<int>(mesh.elements.size()), across, time_step, ms, value(body),
           static_cast<int>(body.unsettledSteps())};
 }
 
@@ -52,38 +54,58 @@ ContactProblem hertz(bool quick) {
   return {"sphere pressed into a block", "force", {curve}};
 }
 
+namespace {
+
+/// With its length of steps.
+std::string named(const std::string& what, double time_step) {
+  return what + "steps of " + (time_step == LONG_STEP ? "10 ms" : "2.5 ms");
+}
+
 // Tractions on all sides but the lowest are those of a uniform stress, so the strain is uniform too.
+ContactRun holdLayer(int cells, double time_step, double shear) {
+  const double length = 0.4, height = LAYER_HEIGHT;
+  Scene scene = onTheGround({4 * cells, 4 * cells, cells}, Vec3(length, length, height));
+  scene.gravity.setZero();
+  scene.body.material.young_modulus = SOFT;
+  scene.loads = {{slab(2, height), Vec3(shear, 0, -PRESSURE), RAMP}};
+  for (const double x : {0.0, length}) scene.loads.push_back({slab(0, x), Vec3(0, 0, x > 0 ? shear : -shear), RAMP});
+  return restOf(scene, cells, time_step, [&](const DeformableBody& body) {
+    return meanDisplacement(body, height).x() - meanDisplacement(body, 0).x();
+  });
+}
+
+ContactRun standColumn(int cells, double time_step, bool cut) {
+  Scene scene = onTheGround({cells, cells, 3 * cells}, COLUMN);
+  if (cut)
+    for (const double z : {0.107, 0.211}) scene.cuts.push_back({0, plane(Vec3(0, 0, z), Vec3::UnitZ())});
+  return restOf(scene, cells, time_step,
+                [&](const DeformableBody& body) { return -meanDisplacement(body, COLUMN.z()).z(); });
+}
+
+}  // namespace
+
 ContactProblem heldLayer(bool quick) {
-  const double length = 0.4, height = 0.1, pressure = 1000, shear = 0.8 * FRICTION * pressure;
-  ContactCurve curve = {"grid", shear * height / (SOFT / 2), {}};
-  for (const int cells : quick ? std::vector<int>{1, 2} : std::vector<int>{1, 2, 3, 4}) {
-    Scene scene = onTheGround({4 * cells, 4 * cells, cells}, Vec3(length, length, height));
-    scene.gravity.setZero();
-    scene.body.material.young_modulus = SOFT;
-    scene.loads = {{slab(2, height), Vec3(shear, 0, -pressure), RAMP}};
-    for (const double x : {0.0, length}) scene.loads.push_back({slab(0, x), Vec3(0, 0, x > 0 ? shear : -shear), RAMP});
-    curve.runs.push_back(restOf(scene, cells, [&](const DeformableBody& body) {
-      return meanDisplacement(body, height).x() - meanDisplacement(body, 0).x();
-    }));
+  const double shear = 0.8 * FRICTION * PRESSURE;
+  ContactProblem problem = {"layer held by friction", "shear of its top", {}};
+  for (const double time_step : {LONG_STEP, SHORT_STEP}) {
+    ContactCurve curve = {named("", time_step), shear * LAYER_HEIGHT / (SOFT / 2), {}};
+    for (int cells = 1; cells <= (quick ? 2 : 4); ++cells) curve.runs.push_back(holdLayer(cells, time_step, shear));
+    problem.curves.push_back(curve);
   }
-  return {"layer held by friction", "shear of its top", {curve}};
+  return problem;
 }
 
 ContactProblem stack(bool quick) {
-  const Vec3 size(0.1, 0.1, 0.3);
   ContactProblem problem = {"column of three pieces", "how far its top sinks", {}};
-  for (const bool cut : {false, true}) {
-    ContactCurve& curve = problem.curves.emplace_back();
-    curve.name = cut ? "cut into three" : "whole";
-    curve.answer = DENSITY * G * size.z() * size.z() / (2 * STIFF);
-    for (const int cells : quick ? std::vector<int>{2, 3} : std::vector<int>{2, 3, 4, 6}) {
-      Scene scene = onTheGround({cells, cells, 3 * cells}, size);
-      if (cut)
-        for (const double z : {0.107, 0.211}) scene.cuts.push_back({0, plane(Vec3(0, 0, z), Vec3::UnitZ())});
-      curve.runs.push_back(
-          restOf(scene, cells, [&](const DeformableBody& body) { return -meanDisplacement(body, size.z()).z(); }));
+  for (const bool cut : {false, true})
+    for (const double time_step : {LONG_STEP, SHORT_STEP}) {
+      if (!cut && time_step == SHORT_STEP) continue;
+      ContactCurve curve = {
+          named(cut ? "cut, " : "whole, ", time_step), DENSITY * G * COLUMN.z() * COLUMN.z() / (2 * STIFF), {}};
+      for (const int cells : quick ? std::vector<int>{2, 3} : std::vector<int>{2, 3, 4, 6})
+        curve.runs.push_back(standColumn(cells, time_step, cut));
+      problem.curves.push_back(curve);
     }
-  }
   return problem;
 }
 

@@ -40,7 +40,7 @@ def spring_share(point):
 def row(problem, found):
     points = found['points']
     return {'problem': f"{problem['name']}, {found['name']}", 'error': points[-1]['error'],
-            'order': order(points) if problem['name'] != 'layer held by friction' else None,
+            'order': order(points),
             'chosen': [choice(points, wanted) for wanted in WANTED]}
 
 
@@ -50,14 +50,13 @@ def fields(data, draw):
             for axes, title in zip(panels, titles):
                 draw_errors(axes, next(p for p in data['problems'] if p['name'] == title))
     sphere = find(data, 'sphere pressed into a block', 'graded grid')
-    held = find(data, 'layer held by friction', 'grid')
-    whole, cut = (find(data, 'column of three pieces', name) for name in ('whole', 'cut into three'))
+    held, held_short = (find(data, 'layer held by friction', f'steps of {step} ms') for step in ('10', '2.5'))
+    whole, cut = (find(data, 'column of three pieces', f'{name}, steps of 10 ms') for name in ('whole', 'cut'))
     direct, iterative = (find(data, 'block that slides', name) for name in ('direct', 'iterative'))
     return {'rows': [row(problem, found) for problem, found in curves(data)],
             'wanted': [f'{100 * wanted:g} %' for wanted in WANTED],
             'unsettled': sum(point['unsettled'] for _, found in curves(data) for point in found['points']),
-            'sphere': sphere[-1], 'held': [min(errors(held)), max(errors(held))],
-            'joints': cut[-1]['error'] - whole[-1]['error'], 'joints_first': cut[0]['error'] - whole[0]['error'],
-            'springs_first': spring_share(cut[0]), 'springs': spring_share(cut[-1]),
-            'coarse': cut[0]['across'], 'fine': cut[-1]['across'],
+            'sphere': sphere[-1], **{name: [min(errors(points)), max(errors(points))]
+                                     for name, points in (('held', held), ('held_short', held_short))},
+            'joints': cut[0]['error'] - whole[0]['error'], 'springs': spring_share(cut[0]), 'coarse': cut[0]['across'],
             'alike': max(abs(a['error'] - b['error']) for a, b in zip(direct, iterative))}
