@@ -108,6 +108,12 @@ json studySmallLoads(double contrast, int n) {
   return {{"contrast", contrast}, {"cells", n}, {"points", points}};
 }
 
+/// The share of shear in the deflection of stiff faces round a soft core.
+double shearOfSoftCore(double contrast) {
+  const LayeredBeam theory(layersOf({"soft core", {true, false, true}, {}, {}}, contrast), H / 3);
+  return theory.shear(1, L) / theory.deflection(1, L);
+}
+
 }  // namespace
 
 json studyLayers(bool quick) {
@@ -118,7 +124,7 @@ json studyLayers(bool quick) {
   for (const Beam& beam : BEAMS)
     for (const double contrast : quick ? Doubles{1, 100, 1e4} : Doubles{1, 10, 100, 1e3, 1e4})
       curves.push_back(study(beam, contrast, quick));
-  return {{"curves", curves}, {"small_loads", small}};
+  return {{"curves", curves}, {"small_loads", small}, {"soft_core", {shearOfSoftCore(100), shearOfSoftCore(1e4)}}};
 }
 
 }  // namespace incision::report
