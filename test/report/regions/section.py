@@ -63,7 +63,8 @@ def solver(point):
 def row(found, what, mesh):
     fine = finest(found)
     shown = {**fine, 'what': what, 'mesh': mesh, 'contrast': power(found['contrast']), 'solver': solver(fine),
-             'off': f"{100 * fine['error']:+.1f}", 'order': f"{order(found['points']):.1f}", 'norm': '–', 'norm_order': '–'}
+             'off': f"{100 * fine['error']:+.1f}", 'order': f"{order(found['points']):.1f}",
+             'norm': '–', 'norm_order': '–'}
     if what != 'ball':
         return shown
     if found['contrast'] == 1:
