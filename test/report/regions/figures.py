@@ -39,6 +39,13 @@ def at_error(points, error, key, value):
     return points[0][value] if abs(points[0][key]) <= error else None
 
 
+def more_iterations(data, contrast):
+    """By how many times a ball takes more iterations than one like its matrix, on each mesh that both are iterated on."""
+    pairs = [pair for on in (False, True) for pair in zip(*(balls(data, on, [c])[0]['points'] for c in (contrast, 1)))]
+    return [point['iterations'] / same['iterations'] for point, same in pairs
+            if point['iterations'] and same['iterations']]
+
+
 def apart(solvers):
     """By which share the two solvers' answers differ."""
     return abs(solvers['iterative'] / solvers['direct'] - 1)

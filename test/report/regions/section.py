@@ -3,7 +3,7 @@
 import math
 
 from plots import curve, plain_numbers
-from regions.figures import LAYERS, apart, at_error, balls, beams, finest, order
+from regions.figures import LAYERS, apart, at_error, balls, beams, finest, more_iterations, order
 from static.figures import column
 from static.section import log_axes, span
 
@@ -131,11 +131,7 @@ def cost(data):
     iterated = [point for point in points if solver(point) == 'iterated']
     solvers = data['ball']['solvers'] + [found['solvers'] for found in data['layers']['curves']]
 
-    def more(contrast):
-        return max(finest(balls(data, on, [contrast])[0])['iterations'] / finest(balls(data, on, [1])[0])['iterations']
-                   for on in (False, True))
-
-    return {'more': {'stiff': more(1e4), 'soft': more(1e-4)},
+    return {'more': {'stiff': max(more_iterations(data, 1e4)), 'soft': max(more_iterations(data, 1e-4))},
             'grown': {'ball': max(growth(balls(data, on), 'displacement', *ends)
                                   for on in (False, True) for ends in ((100, 1e4), (0.01, 1e-4))),
                       'beams': max(growth(beams(data, name), 'error', 100, 1e4) for name in LAYERS)},
