@@ -9,7 +9,7 @@ target_link_libraries(incision_report PUBLIC nlohmann_json::nlohmann_json)
 
 set(report_sources "${PROJECT_SOURCE_DIR}/test/report")
 set(report_folder "${CMAKE_BINARY_DIR}/report")
-set(report_sections static calculix benchmark locking dynamic contact stability tool cost)
+set(report_sections static calculix benchmark locking regions dynamic contact stability tool cost)
 
 function(incision_report_program program library)
   add_executable(${program} EXCLUDE_FROM_ALL ${ARGN})

@@ -3,7 +3,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../launch/setup.sh"
 
-SECTIONS=(static calculix benchmark locking dynamic contact stability tool cost)
+SECTIONS=(static calculix benchmark locking regions dynamic contact stability tool cost)
 
 usage() {
   echo "usage: test/report/run.sh [--quick | --publish] [SECTION...]"
