@@ -94,15 +94,22 @@ void save(Archive& archive, const ContactSettings& contact) {
 }
 
 template <class Archive>
+void save(Archive& archive, const CuttingSettings& cutting) {
+  const auto& [resistance, progressive] = cutting;
+  const auto& [force, viscosity, onset] = resistance;
+  archive(force, viscosity, onset, progressive);
+}
+
+template <class Archive>
 void save(Archive& archive, const BladeSettings& blade) {
-  const auto& [edge, cutting_force, cutting_viscosity, cutting_onset, progressive] = blade;
-  archive(edge, cutting_force, cutting_viscosity, cutting_onset, progressive);
+  const auto& [edge, cutting] = blade;
+  archive(edge, cutting);
 }
 
 template <class Archive>
 void save(Archive& archive, const ScissorsSettings& scissors) {
-  const auto& [cutting_force, cutting_viscosity, cutting_onset, progressive] = scissors;
-  archive(cutting_force, cutting_viscosity, cutting_onset, progressive);
+  const auto& [cutting] = scissors;
+  archive(cutting);
 }
 
 template <class Archive>

@@ -89,7 +89,7 @@ Case ledBar() {
 Case guidedBlade() {
   Case made{plateAndBlade()};
   made.scene.solver.method = Method::AUTO;
-  bladeOf(&made.scene.tools[0]).cutting_force = 20;
+  bladeOf(&made.scene.tools[0]).cutting.resistance.force = 20;
   made.command = [](DeformableBody* body, std::int64_t step) {
     const double x = -0.05 + 0.02 * static_cast<double>(step);
     if (step == 20 || step == 26) body->activateTool(step == 26);
@@ -101,8 +101,8 @@ Case guidedBlade() {
 /// A guided blade that tissue resists the more the faster it cuts, and that takes more to begin.
 Case viscousBlade() {
   Case made = guidedBlade();
-  bladeOf(&made.scene.tools[0]).cutting_viscosity = 10;
-  bladeOf(&made.scene.tools[0]).cutting_onset = 100;
+  bladeOf(&made.scene.tools[0]).cutting.resistance.viscosity = 10;
+  bladeOf(&made.scene.tools[0]).cutting.resistance.onset = 100;
   return made;
 }
 

@@ -52,9 +52,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, FailedStep, ::testing::Values(Method::DIRECT, 
 Scene turningBlade() {
   Scene scene = plateAndBlade();
   scene.gravity = Vec3(0, 0, -0.1);
-  bladeOf(&scene.tools[0]).cutting_force = 200;
-  bladeOf(&scene.tools[0]).cutting_viscosity = 50;
-  bladeOf(&scene.tools[0]).cutting_onset = 20;
+  bladeOf(&scene.tools[0]).cutting.resistance.force = 200;
+  bladeOf(&scene.tools[0]).cutting.resistance.viscosity = 50;
+  bladeOf(&scene.tools[0]).cutting.resistance.onset = 20;
   scene.solver.time_step = 0.02;
   return scene;
 }

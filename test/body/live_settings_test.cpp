@@ -20,9 +20,9 @@ Scene bladedBar() {
   scene.body.regions = {outer};
   ToolSettings tool = bladeTool(Edge{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3)});
   tool.name = "blade";
-  bladeOf(&tool).cutting_force = 20;
-  bladeOf(&tool).cutting_viscosity = 8;
-  bladeOf(&tool).cutting_onset = 10;
+  bladeOf(&tool).cutting.resistance.force = 20;
+  bladeOf(&tool).cutting.resistance.viscosity = 8;
+  bladeOf(&tool).cutting.resistance.onset = 10;
   scene.tools = {tool};
   return scene;
 }
@@ -58,9 +58,9 @@ const std::map<std::string, Change> CHANGES = {
      {[](LiveSettings* live) { live->cutting_force_factor = 2; },
       [](Scene* scene) {
         scene->body.regions[0].cutting_force = 60;
-        bladeOf(&scene->tools[0]).cutting_force = 40;
-        bladeOf(&scene->tools[0]).cutting_viscosity = 16;
-        bladeOf(&scene->tools[0]).cutting_onset = 20;
+        bladeOf(&scene->tools[0]).cutting.resistance.force = 40;
+        bladeOf(&scene->tools[0]).cutting.resistance.viscosity = 16;
+        bladeOf(&scene->tools[0]).cutting.resistance.onset = 20;
       }}},
 };
 

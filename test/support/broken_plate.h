@@ -13,7 +13,7 @@ inline Scene everythingAtOnce(Method method) {
   scene.solver.tolerance = 1e-9;
   scene.contact = ContactSettings();
   scene.contact->ground = -0.001;
-  bladeOf(&scene.tools[0]).cutting_force = 20;
+  bladeOf(&scene.tools[0]).cutting.resistance.force = 20;
   for (int k = 0; k <= 40; ++k)
     scene.tools[0].poses.push_back({0.01 * k, {Vec3(-0.05 + 0.02 * k, 0.21, 0), Eigen::Quaterniond::Identity()}});
   PlaneCut plane;

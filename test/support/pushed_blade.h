@@ -18,7 +18,7 @@ inline Scene blockAndEdge(int cells, double force) {
   scene.boundary = {{{Vec3(0.2 - 1e-6, -1, -1), Vec3(1, 1, 1)}, Vec3::Zero()}};
   scene.solver.method = Method::DIRECT;
   scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)})};
-  bladeOf(&scene.tools[0]).cutting_force = force;
+  bladeOf(&scene.tools[0]).cutting.resistance.force = force;
   return scene;
 }
 

@@ -131,7 +131,7 @@ class PassUnderWay {
     const Vec3 side = pass_.edge_amid ? Vec3(0, 0, 0) : Vec3(-thickness() / 2, 0, 0);
     bladeOf(&tool).edge = {side - along, side + along};
     tool.friction = pass_.friction;
-    bladeOf(&tool).cutting_force = pass_.cutting_force * pass_.young_modulus * size_;
+    bladeOf(&tool).cutting.resistance.force = pass_.cutting_force * pass_.young_modulus * size_;
     tool.max_step = 1e3;
     // A slanted edge comes to the body with one end first; and the body may give way for some elements.
     const double room = extent_.sizes()[2] / 2 * std::abs(std::tan(pass_.slant)) + 0.5 * size_;

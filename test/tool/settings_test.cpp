@@ -30,11 +30,11 @@ TEST(ToolSettings, ArriveFromTheirSection) {
   EXPECT_EQ(tool.frame, "knife");
   EXPECT_EQ(tool.max_step, 0.02);
   EXPECT_TRUE(std::isinf(tool.timeout));
-  EXPECT_EQ(bladeOf(&tool).cutting_force, 40);
-  EXPECT_EQ(bladeOf(&tool).cutting_viscosity, 2);
-  EXPECT_EQ(bladeOf(&tool).cutting_onset, 30);
+  EXPECT_EQ(bladeOf(&tool).cutting.resistance.force, 40);
+  EXPECT_EQ(bladeOf(&tool).cutting.resistance.viscosity, 2);
+  EXPECT_EQ(bladeOf(&tool).cutting.resistance.onset, 30);
   EXPECT_EQ(tool.friction, 0.1);
-  EXPECT_FALSE(bladeOf(&tool).progressive);
+  EXPECT_FALSE(bladeOf(&tool).cutting.progressive);
 }
 
 TEST(ToolSettings, OfAGrasperSayWhenAndHowItHolds) {
@@ -58,9 +58,9 @@ TEST(ToolSettings, OfScissorsSayWhatCuttingTakes) {
       "cutting_onset: 30}}"));
   ASSERT_EQ(tools.size(), 1u);
   const auto& scissors = std::get<ScissorsSettings>(tools[0].kind);
-  EXPECT_EQ(scissors.cutting_force, 40);
-  EXPECT_EQ(scissors.cutting_viscosity, 2);
-  EXPECT_EQ(scissors.cutting_onset, 30);
+  EXPECT_EQ(scissors.cutting.resistance.force, 40);
+  EXPECT_EQ(scissors.cutting.resistance.viscosity, 2);
+  EXPECT_EQ(scissors.cutting.resistance.onset, 30);
 }
 
 TEST(ToolSettings, BadValuesAreRefused) {

@@ -17,7 +17,7 @@ constexpr double THROUGH = 0.06;  // how far before and behind the plate a blade
 /// Of the plate's blade, with a name and a cutting force.
 ToolSettings named(ToolSettings tool, const std::string& name, double cutting_force = 0) {
   tool.name = name;
-  bladeOf(&tool).cutting_force = cutting_force;
+  bladeOf(&tool).cutting.resistance.force = cutting_force;
   return tool;
 }
 

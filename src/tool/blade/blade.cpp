@@ -7,18 +7,14 @@
 namespace incision {
 namespace {
 
-const BladeSettings& ofBlade(const ToolSettings& settings) { return std::get<BladeSettings>(settings.kind); }
-
-CuttingResistance resistanceOf(const BladeSettings& blade) {
-  return {blade.cutting_force, blade.cutting_viscosity, blade.cutting_onset};
-}
+const CuttingSettings& ofBlade(const ToolSettings& settings) { return std::get<BladeSettings>(settings.kind).cutting; }
 
 }  // namespace
 
 Blade::Blade(const ToolSettings& settings, const Edge& edge, const std::array<double, 2>& fronts,
              const ToolSurroundings& surroundings, Touching touching)
-    : CuttingTool({{0, edge, fronts, resistanceOf(ofBlade(settings)), settings.friction}},
-                  ofBlade(settings).progressive, surroundings, settings, std::move(touching)) {}
+    : CuttingTool({{0, edge, fronts, ofBlade(settings).resistance, settings.friction}}, ofBlade(settings).progressive,
+                  surroundings, settings, std::move(touching)) {}
 
 ToolForm Blade::form() const {
   ToolForm form = CuttingTool::form();

@@ -14,10 +14,7 @@ BladeSettings parseBlade(const YamlMap& tool) {
   } else {
     tool.at("link");
   }
-  blade.cutting_force = tool.number("cutting_force", blade.cutting_force, NOT_NEGATIVE);
-  blade.cutting_viscosity = tool.number("cutting_viscosity", blade.cutting_viscosity, NOT_NEGATIVE);
-  blade.cutting_onset = tool.number("cutting_onset", blade.cutting_onset, NOT_NEGATIVE);
-  if (const auto progressive = tool.find("progressive")) blade.progressive = progressive->boolean();
+  blade.cutting = parseCutting(tool);
   return blade;
 }
 

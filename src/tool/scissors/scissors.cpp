@@ -6,8 +6,7 @@ namespace incision {
 namespace {
 
 std::vector<EdgeOfTool> edgesOf(const ToolSettings& settings, const ScissorEdges& edges) {
-  const auto& scissors = std::get<ScissorsSettings>(settings.kind);
-  const CuttingResistance resistance = {scissors.cutting_force, scissors.cutting_viscosity, scissors.cutting_onset};
+  const CuttingResistance& resistance = std::get<ScissorsSettings>(settings.kind).cutting.resistance;
   std::vector<EdgeOfTool> of_tool;
   for (int i = 0; i < 2; ++i)
     of_tool.push_back({edges.edges[i].group,
@@ -22,7 +21,7 @@ std::vector<EdgeOfTool> edgesOf(const ToolSettings& settings, const ScissorEdges
 
 Scissors::Scissors(const ToolSettings& settings, JawLinks links, const ScissorEdges& edges,
                    const ToolSurroundings& surroundings, Touching touching)
-    : CuttingTool(edgesOf(settings, edges), std::get<ScissorsSettings>(settings.kind).progressive, surroundings,
+    : CuttingTool(edgesOf(settings, edges), std::get<ScissorsSettings>(settings.kind).cutting.progressive, surroundings,
                   settings, std::move(links), std::move(touching)),
       closed_(this->links().limits() ? (*this->links().limits())[0] : 0) {}
 

@@ -24,8 +24,8 @@ Felt press(const Pressed& pressed) {
   double side = REACH;
   for (const Vec3& X : pressed.mesh.nodes) side = std::max(side, X.y() + REACH);
   scene.tools = {bladeTool(Edge{Vec3(0, -side, 0), Vec3(0, side, 0)})};
-  bladeOf(&scene.tools[0]).cutting_force = pressed.force;
-  bladeOf(&scene.tools[0]).cutting_onset = pressed.onset;
+  bladeOf(&scene.tools[0]).cutting.resistance.force = pressed.force;
+  bladeOf(&scene.tools[0]).cutting.resistance.onset = pressed.onset;
   DeformableBody body(scene, pressed.mesh);
 
   Pose pose;

@@ -52,8 +52,8 @@ Trace push(const Push& setting) {
   Scene scene = blockOf(setting.cells, setting.pull);
   scene.tools = {bladeTool(std::nullopt)};
   bladeOf(&scene.tools[0]).edge = Edge{Vec3(0, 0, -REACH), Vec3(0, 0, BLOCK.z() + REACH)};
-  bladeOf(&scene.tools[0]).cutting_force = setting.cutting_force;
-  bladeOf(&scene.tools[0]).progressive = setting.progressive;
+  bladeOf(&scene.tools[0]).cutting.resistance.force = setting.cutting_force;
+  bladeOf(&scene.tools[0]).cutting.progressive = setting.progressive;
   DeformableBody body(scene, loadMesh(scene));
   for (int k = 0; k < SETTLING_STEPS; ++k) body.step();
 

@@ -141,7 +141,7 @@ struct Stabbed {
     Scene scene = blockAndEdge(cells, FORCE_OF_TIP);
     scene.body.material.stiffness_damping = 0.02;
     bladeOf(&scene.tools[0]).edge = Edge{Vec3(-0.3, 0, 0), Vec3(0, 0, 0)};
-    bladeOf(&scene.tools[0]).cutting_onset = onset;
+    bladeOf(&scene.tools[0]).cutting.resistance.onset = onset;
     scene.tools[0].friction = 0;
     if (with_shape) scene.tools[0].description = "blade.urdf";
     return scene;

@@ -20,7 +20,7 @@ constexpr double STEADY = FORCE * BLOCK_HEIGHT, FIRST = (FORCE + ONSET) * BLOCK_
 Scene toughSkin(double onset = ONSET, int cells = 3) {
   Scene scene = blockAndEdge(cells, FORCE);
   scene.body.material.young_modulus = 3e5;
-  bladeOf(&scene.tools[0]).cutting_onset = onset;
+  bladeOf(&scene.tools[0]).cutting.resistance.onset = onset;
   return scene;
 }
 

@@ -13,7 +13,7 @@ constexpr double VISCOSITY = 400;   // [N s/m²]
 
 Scene viscousBlock(double force, double viscosity) {
   Scene scene = blockAndEdge(3, force);
-  bladeOf(&scene.tools[0]).cutting_viscosity = viscosity;
+  bladeOf(&scene.tools[0]).cutting.resistance.viscosity = viscosity;
   return scene;
 }
 

@@ -20,8 +20,8 @@ Scene blockAndBlade(double cutting_force, bool progressive) {
   scene.gravity = Vec3::Zero();
   scene.solver.method = Method::DIRECT;
   scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.1), Vec3(0, 0, 0.6)})};
-  bladeOf(&scene.tools[0]).cutting_force = cutting_force;
-  bladeOf(&scene.tools[0]).progressive = progressive;
+  bladeOf(&scene.tools[0]).cutting.resistance.force = cutting_force;
+  bladeOf(&scene.tools[0]).cutting.progressive = progressive;
   return scene;
 }
 
@@ -149,7 +149,7 @@ TEST_P(OldCut, LetsAStrokeGoOnBeyondItsEnd) {
     EXPECT_EQ(body.counts().cracks, 2);
     EXPECT_NEAR(area, 0.5 * 0.5, 0.1 * 0.5 * 0.5);
     Scene shown = scene();
-    if (beside == 0 && bladeOf(&shown.tools[0]).cutting_force == 0) {
+    if (beside == 0 && bladeOf(&shown.tools[0]).cutting.resistance.force == 0) {
       EXPECT_EQ(body.counts().pieces, 2);
     }
   }

@@ -22,7 +22,7 @@ std::vector<Pose> circle(double turns, int moves) {
 
 TEST(StrokePieces, AClosedLoopFreesItsPlugWhereElementsAreCutWhole) {
   Scene scene = plateAndBlade(8);
-  bladeOf(&scene.tools[0]).progressive = false;
+  bladeOf(&scene.tools[0]).cutting.progressive = false;
   DeformableBody body(scene, loadMesh(scene));
   draw(&body, circle(1.15, 150));  // it overshoots
   const std::vector<double> volumes = body.pieceVolumes();

@@ -24,7 +24,7 @@ Scene pulledBlock(int cells, bool progressive, Method method = Method::DIRECT) {
   scene.solver.method = method;
   scene.solver.tolerance = 1e-9;
   scene.tools = {bladeTool(Edge{Vec3(0, 0, -0.05), Vec3(0, 0, 0.15)})};
-  bladeOf(&scene.tools[0]).progressive = progressive;
+  bladeOf(&scene.tools[0]).cutting.progressive = progressive;
   return scene;
 }
 

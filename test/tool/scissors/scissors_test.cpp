@@ -57,7 +57,7 @@ Scene strip(double young_modulus, bool progressive = true, std::array<int, 3> ce
   scene.solver.method = Method::DIRECT;
   scene.solver.time_step = 0.005;
   scene.tools = {shears()};
-  std::get<ScissorsSettings>(scene.tools[0].kind).progressive = progressive;
+  std::get<ScissorsSettings>(scene.tools[0].kind).cutting.progressive = progressive;
   return scene;
 }
 
@@ -131,8 +131,8 @@ TEST(Scissors, TakeTheWorkOfTheCutArea) {
 TEST(Scissors, WithAnOnsetAndAViscosityTakeMoreWorkForTheSameCut) {
   Scene scene = strip(1e6);
   auto& shears = std::get<ScissorsSettings>(scene.tools[0].kind);
-  shears.cutting_viscosity = CUTTING_FORCE;  // as much again at 1 m/s
-  shears.cutting_onset = CUTTING_FORCE;
+  shears.cutting.resistance.viscosity = CUTTING_FORCE;  // as much again at 1 m/s
+  shears.cutting.resistance.onset = CUTTING_FORCE;
   Cutting cutting(scene), without(strip(1e6));
   cutting.closeTo(0);
   without.closeTo(0);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "incision/rigid/pose.h"
+#include "incision/tool/blade/cutting_settings.h"
 
 namespace incision {
 
@@ -11,15 +12,10 @@ class YamlMap;
 /// What a blade has beside what all tools have.
 struct BladeSettings {
   std::optional<Edge> edge = {};  ///< in the link's frame; absent: the longest edge of the link's first collision box
-  /// [N/m] of edge in the tissue: the fracture energy [J/m²] of what it cuts; regions may differ.
-  double cutting_force = 0;
-  double cutting_viscosity = 0;  ///< [N s/m²] what it grows by with the edge's speed through the tissue; likewise
-  double cutting_onset = 0;      ///< [N/m] what cutting takes beyond it where nothing is cut yet; likewise
-  bool progressive = true;       ///< an element's crack opens as the blade sweeps it; false: elements are cut whole
+  CuttingSettings cutting = {};
 };
 
-/// Its keys in a tool's entry: `edge`, `cutting_force`, `cutting_viscosity`, `cutting_onset`, `progressive`. Throws
-/// InputError.
+/// Its keys in a tool's entry: `edge`, and those of CuttingSettings. Throws InputError.
 BladeSettings parseBlade(const YamlMap& tool);
 
 }  // namespace incision
