@@ -11,6 +11,7 @@
 #include "incision/base/nearest.h"
 #include "incision/rigid/box.h"
 #include "support/distance_gradient.h"
+#include "support/rig.h"
 #include "support/solid_meshes.h"
 
 namespace incision::test {
@@ -52,11 +53,10 @@ double plainDistance(const TriangleMesh& mesh, const Vec3& point) {
   return (windingNumber(mesh, point) > 0.5 ? -1 : 1) * distanceToAll(mesh, point);
 }
 
-std::vector<Vec3> randomPoints(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> coordinate(-1.3, 1.3);
-  std::vector<Vec3> points;
-  for (int i = 0; i < count; ++i) points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+/// Every other one is half as far out, where the solids are thick.
+std::vector<Vec3> randomPoints(std::size_t count, unsigned seed) {
+  std::vector<Vec3> points = randomVectors(count, 1.3, seed);
+  for (std::size_t i = 0; i < count; i += 2) points[i] /= 2;
   return points;
 }
 
