@@ -11,7 +11,7 @@
 namespace incision {
 namespace {
 
-thread_local BlockPool* active = nullptr;
+thread_local BlockPool* active_pool = nullptr;
 
 }  // namespace
 
@@ -34,24 +34,24 @@ void BlockPool::release() {
                 blocks_.end());
 }
 
-BlockPool::Scope::Scope(BlockPool* pool) : outer_(active) { active = pool; }
-BlockPool::Scope::~Scope() { active = outer_; }
+BlockPool::Scope::Scope(BlockPool* pool) : outer_(active_pool) { active_pool = pool; }
+BlockPool::Scope::~Scope() { active_pool = outer_; }
 
-void* BlockPool::allocate(std::size_t size) { return active ? active->take(size) : std::malloc(size); }
+void* BlockPool::allocate(std::size_t size) { return active_pool ? active_pool->take(size) : std::malloc(size); }
 
 void* BlockPool::allocateZero(std::size_t count, std::size_t size) {
-  if (!active) return std::calloc(count, size);
+  if (!active_pool) return std::calloc(count, size);
   if (size > 0 && count > static_cast<std::size_t>(-1) / size) return nullptr;
-  void* memory = active->take(count * size);
+  void* memory = active_pool->take(count * size);
   if (memory) std::memset(memory, 0, count * size);
   return memory;
 }
 
 void* BlockPool::resize(void* memory, std::size_t size) {
-  const Block* block = active ? active->find(memory) : nullptr;
+  const Block* block = active_pool ? active_pool->find(memory) : nullptr;
   if (!block) return std::realloc(memory, size);
   const std::size_t kept = std::min(block->size, size);
-  void* moved = active->take(size);
+  void* moved = active_pool->take(size);
   if (!moved) return nullptr;
   std::memcpy(moved, memory, kept);
   giveBack(memory);
@@ -59,7 +59,7 @@ void* BlockPool::resize(void* memory, std::size_t size) {
 }
 
 void BlockPool::giveBack(void* memory) {
-  if (Block* block = active ? active->find(memory) : nullptr)
+  if (Block* block = active_pool ? active_pool->find(memory) : nullptr)
     block->in_use = false;
   else
     std::free(memory);
