@@ -6,11 +6,11 @@
 #include "frames_in_tests.h"
 #include "incision/pace/step_input.h"
 #include "support/allocation_hooks.h"
+#include "things_in_tests.h"
 
 namespace incision {
 namespace {
 
-constexpr double TIME_STEP = 0.01;
 const Refused REFUSED = {Refusal::BY_RESET, "the body has become another before it took effect"};
 
 /// Counts the cuts that are refused.
@@ -41,14 +41,6 @@ Scene barWithTools() {
 
 Pose at(double x) { return {Vec3(x, 0, 0.5), Eigen::Quaterniond::Identity()}; }
 
-PlaneCut plane(const std::string& label) {
-  PlaneCut plane;
-  plane.label = label;
-  plane.point = Vec3(0.3, 0, 0);
-  plane.normal = Vec3(1, 0, 0);
-  return plane;
-}
-
 class LeadsWithoutMemory : public ::testing::Test {
  protected:
   void pose(int tool, double x, const char* frame = "body") { commands_.add({ToolPose{tool, at(x)}, frame, 0, now_}); }
@@ -68,8 +60,8 @@ class LeadsWithoutMemory : public ::testing::Test {
   /// What waits when the body becomes another.
   void leaveWaiting() {
     for (const char* label : {"a label that no string holds without memory", "b", "c"}) {
-      commands_.add({plane(label), "body", 1'000'000'000'000, now_});
-      commands_.add({plane(label), "a frame that nobody knows", 0, now_});
+      commands_.add({labelled(label), "body", 1'000'000'000'000, now_});
+      commands_.add({labelled(label), "a frame that nobody knows", 0, now_});
     }
     pose(0, 0.4);
     pose(1, 0.4, "a frame that nobody knows");

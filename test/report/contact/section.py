@@ -3,7 +3,8 @@
 import numpy as np
 
 from contact.figures import WANTED, coarsest, curves, errors, find, order, refined
-from plots import curve, plain_numbers
+from plots import curve
+from static.section import log_axes
 
 PANELS = {'rest': ('sphere pressed into a block', 'layer held by friction', 'column of three pieces'),
           'moving': ('block that slides', 'slit bar that beats on itself')}
@@ -13,12 +14,8 @@ def draw_errors(axes, problem):
     for k, found in enumerate(problem['curves']):
         axes.plot([p['ms'] for p in found['points']], 100 * np.array(errors(found['points'])), label=found['name'],
                   **curve(k))
-    axes.set(xscale='log', yscale='log', title=f"{problem['name']}, {problem['quantity']}", xlabel='wall time [ms]',
-             ylabel='error [%]')
+    log_axes(axes, f"{problem['name']}, {problem['quantity']}")
     axes.title.set_fontsize(9)
-    for axis in (axes.xaxis, axes.yaxis):
-        low, high = axis.get_view_interval()
-        plain_numbers(axis, (1, 2, 5) if high < 100 * low else (1,))
     axes.legend()
 
 

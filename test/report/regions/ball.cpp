@@ -4,6 +4,7 @@
 // that the answer is exact in spite of its size.
 #include <cmath>
 
+#include "report/field_distance.h"
 #include "report/regions/solve.h"
 #include "report/regions/study.h"
 
@@ -69,25 +70,6 @@ std::pair<double, double> meanStrain(const TetMesh& mesh, const std::vector<Vec3
   return {sum / volume, volume};
 }
 
-/// ‖u_h − u‖ / ‖u‖ in L², by four points an element.
-double distance(const TetMesh& mesh, const std::vector<Vec3>& u, double contrast) {
-  constexpr double NEAR = 0.58541019662496845, AWAY = 0.13819660112501052;
-  double error = 0, size = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    for (int point = 0; point < 4; ++point) {
-      Vec3 X = Vec3::Zero(), u_h = Vec3::Zero();
-      for (int I = 0; I < 4; ++I) {
-        X += (I == point ? NEAR : AWAY) * mesh.nodes[mesh.elements[e][I]];
-        u_h += (I == point ? NEAR : AWAY) * u[mesh.elements[e][I]];
-      }
-      const double volume = elementVolume(mesh, static_cast<int>(e));
-      error += volume * (u_h - exactField(contrast, X)).squaredNorm();
-      size += volume * exactField(contrast, X).squaredNorm();
-    }
-  }
-  return std::sqrt(error / size);
-}
-
 json point(const TetMesh& mesh, int cells, double contrast, int repeats) {
   constexpr double PI = 3.14159265358979323846, BALL = 4 * PI / 3 * RADIUS * RADIUS * RADIUS;
   const Solution solution = solve(mesh, stretched(mesh, contrast), repeats);
@@ -95,7 +77,7 @@ json point(const TetMesh& mesh, int cells, double contrast, int repeats) {
   json result = pointOf(mesh, solution);
   result["cells"] = cells;
   result["error"] = strain / inside(contrast) - 1;
-  result["displacement"] = distance(mesh, solution.u, contrast);
+  result["displacement"] = distanceFrom([=](const Vec3& X) { return exactField(contrast, X); }, mesh, solution.u);
   result["volume"] = volume / BALL - 1;
   return result;
 }
