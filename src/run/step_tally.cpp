@@ -14,7 +14,7 @@ void StepTally::add(const StepResult& step) {
   step_ms += step.step_ms;
   longest_ms = std::max(longest_ms, step.step_ms);
   phase_ms += step.phase_ms;
-  if (step.iterations > 0) residual = std::max(residual, step.residual);
+  residual = std::max(residual, step.residual);
   iterations = std::max(iterations, step.iterations);
 }
 

@@ -26,7 +26,7 @@ constexpr int FAST_BOUNDS = 8, MAX_BOUNDS = 25;
 bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv) {
   const bool coupled = p.couplers != nullptr;
   start(p, norms, dv);
-  if (stats_.residual <= p.tolerance) {
+  if (left_over_ <= p.tolerance) {
     if (!coupled) p.equations->balance(dv);
     return true;
   }
@@ -51,21 +51,21 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
     if (!coupled) p.equations->balance(dv);
     // Before the first tight solve too: what float has lost in the loose ones would take another to find.
     if (tight || last_springs || hasRunOut(p)) p.equations->residual(*dv, &alone_);
-    stats_.residual = ratioLeft(norms);
-    const bool finite = std::isfinite(stats_.residual);
+    measureLeft(norms);
+    const bool finite = std::isfinite(left_over_);
     if (tight) {
-      const bool done = stats_.residual <= p.tolerance || p.equations->isDirect();
+      const bool done = left_over_ <= p.tolerance || p.equations->isDirect();
       if (done && last_springs) {
         stats_.settled = stats_.settled && (stats_.solves <= MAX_BOUNDS || isSettledAnew(p, *norms));
         return true;
       }
       // What float has lost, a fresh residual finds; where it does not, a direct solver may.
-      if (!done && (same_springs || !finite) && !(stats_.residual < MIN_PROGRESS * before)) {
+      if (!done && (same_springs || !finite) && !(left_over_ < MIN_PROGRESS * before)) {
         if (p.most_iterations && finite) return endShort();
         if (!p.equations->fallBack(used_)) return false;
         if (!finite) startAt(p, std::vector<Vec3>(dv->size(), Vec3::Zero()), dv);
       }
-      before = stats_.residual;
+      before = left_over_;
     }
     if (finite && hasRunOut(p)) return endShort();
     if (!last_springs) before = std::numeric_limits<double>::infinity();
@@ -105,7 +105,7 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   }
   right_ = alone_;
   for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], impulses_[i], &right_);
-  stats_.residual = norms->worstRatio(right_);
+  takeRatio(norms->worstRatio(right_));
 }
 
 void Newton::startAt(const StepProblem& p, const std::vector<Vec3>& guess, std::vector<Vec3>* dv) {
@@ -162,7 +162,7 @@ bool Newton::takeSprings(const StepProblem& p) {
 bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, const Basis* basis, bool tight) {
   const std::size_t copies = alone_.size();
   limit_ = norms.measures();
-  const bool again = !basis && !p.couplers && stats_.residual < NEARLY * p.tolerance;
+  const bool again = !basis && !p.couplers && left_over_ < NEARLY * p.tolerance;
   const double asked = (again ? AGAIN : 1) * p.tolerance;
   for (double& limit : limit_) limit *= asked * asked;
   right_ = alone_;
@@ -315,13 +315,18 @@ void Newton::shareImpulses() {
   for (std::size_t i = 0; i < used_.size(); ++i) addShares(used_[i], impulses_[i], &on_copies_);
 }
 
-double Newton::ratioLeft(PieceNorms* norms) {
-  if (used_.empty()) return norms->worstRatio(alone_);
+void Newton::takeRatio(const PieceNorms::Ratio& ratio) {
+  left_over_ = ratio.of_measure;
+  stats_.residual = ratio.of_loads;
+}
+
+void Newton::measureLeft(PieceNorms* norms) {
+  if (used_.empty()) return takeRatio(norms->worstRatio(alone_));
   shareImpulses();
   norms->raise(on_copies_);
   right_.resize(alone_.size());
   for (std::size_t c = 0; c < right_.size(); ++c) right_[c] = alone_[c] + on_copies_[c];
-  return norms->worstRatio(right_);
+  takeRatio(norms->worstRatio(right_));
 }
 
 /// That of its first copy which is not held; where all are, it moves nothing.

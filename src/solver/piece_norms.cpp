@@ -35,28 +35,42 @@ void PieceNorms::measure(const std::vector<Vec3>& b, const std::vector<Vec3>& lo
   squares(b, &measure_);
   squares(loads, &sum_);
   double whole = 0, mass = 0;
+  bool any_loads = false;
   for (std::size_t s = 0; s < mass_.size(); ++s) {
     measure_[s] = std::max(measure_[s], sum_[s]);
     whole += measure_[s];
     mass += mass_[s];
+    any_loads = any_loads || sum_[s] > 0;
   }
+  acts_.resize(mass_.size());
   for (std::size_t s = 0; s < mass_.size(); ++s) {
     const double rounding = reach * reach * rounding_[s];
-    measure_[s] = std::max({measure_[s], mass_[s] / mass * whole, rounding / (tolerance * tolerance)});
+    acts_[s] = std::max(measure_[s], mass_[s] / mass * whole);
+    measure_[s] = std::max(acts_[s], rounding / (tolerance * tolerance));
+    // Where nothing is asked of the body, what is left of its motion may be its rounding.
+    if (!any_loads) acts_[s] = measure_[s];
   }
 }
 
 void PieceNorms::raise(const std::vector<Vec3>& impulses) {
   squares(impulses, &sum_);
-  for (std::size_t s = 0; s < mass_.size(); ++s) measure_[s] = std::max(measure_[s], sum_[s]);
+  for (std::size_t s = 0; s < mass_.size(); ++s) {
+    measure_[s] = std::max(measure_[s], sum_[s]);
+    acts_[s] = std::max(acts_[s], sum_[s]);
+  }
 }
 
-double PieceNorms::worstRatio(const std::vector<Vec3>& r) {
+PieceNorms::Ratio PieceNorms::worstRatio(const std::vector<Vec3>& r) {
   squares(r, &sum_);
+  return {worstOver(measure_), worstOver(acts_)};
+}
+
+/// The square root of the largest sum over that of its piece, or the first that is not finite.
+double PieceNorms::worstOver(const std::vector<double>& measure) const {
   double worst = 0;
   for (std::size_t s = 0; s < mass_.size(); ++s) {
-    if (sum_[s] <= worst * measure_[s]) continue;
-    worst = sum_[s] / measure_[s];
+    if (sum_[s] <= worst * measure[s]) continue;
+    worst = sum_[s] / measure[s];
     if (!std::isfinite(worst)) break;
   }
   return std::sqrt(worst);

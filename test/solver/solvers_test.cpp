@@ -98,7 +98,9 @@ TEST_P(BothMethods, FindTheSameVelocitiesInEveryPiece) {
     iterative.motion = direct.motion;
     ASSERT_TRUE(direct.advance());
     ASSERT_TRUE(iterative.advance());
-    EXPECT_LE(iterative.step.stats().residual, 1e-8);
+    // Rounding, which is all that a direct solve leaves, ends an iteration where its bound is: some hundred times
+    // higher.
+    EXPECT_LE(iterative.step.stats().residual, std::max(1e-8, 200 * direct.step.stats().residual));
     // Where rounding keeps the iteration from its tolerance it may end in a direct solve; later guesses may do alone.
     if (n == 0 && GetParam().material.young_modulus < 1e10) {
       EXPECT_GT(iterative.step.stats().iterations, 0);

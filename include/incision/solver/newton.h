@@ -16,7 +16,8 @@ namespace incision {
 struct SolveStats {
   int iterations = 0;  ///< of all linear solves; 0 for direct ones
   int solves = 0;      ///< Newton steps; 0 where there was nothing to solve
-  /// What is left over what acts, as PieceNorms measures it, reckoned in double from the forces.
+  /// What is left over what acts, as PieceNorms measures it, reckoned in double from the forces. More than the
+  /// tolerance where a solve was ended before, or where what acts is so small that rounding hides it.
   double residual = 0;
   /// One more Newton step would change no spring's force by more than 1e-3 of the largest in its group of pieces, and
   /// no solve was ended before its tolerance.
@@ -128,12 +129,14 @@ class Newton {
   bool isSettledAnew(const StepProblem& p, const PieceNorms& norms);
   void findImpulses(const StepProblem& p);
   void shareImpulses();
-  double ratioLeft(PieceNorms* norms);
+  void measureLeft(PieceNorms* norms);
+  void takeRatio(const PieceNorms::Ratio& ratio);
   bool hasRunOut(const StepProblem& p) const;
   bool endShort();
   static int groupOf(const StepProblem& p, const Spring& spring);
 
   SolveStats stats_;
+  double left_over_ = 0;  // what is left, over what the tolerance is of
   RigidGuess rigid_guess_;
   std::vector<Spring> used_;            // what the matrix has of the springs
   std::vector<Vec3> moved_, impulses_;  // of each spring

@@ -27,18 +27,27 @@ class PieceNorms {
 
   /// |measure|² of each piece.
   const std::vector<double>& measures() const { return measure_; }
-  /// The largest |r| over measure among the pieces.
-  double worstRatio(const std::vector<Vec3>& r);
+
+  /// The largest |r| among the pieces, over a measure.
+  struct Ratio {
+    double of_measure = 0;
+    /// Over what acts: under loads and weight so small that rounding hides them this is more.
+    double of_loads = 0;
+  };
+  Ratio worstRatio(const std::vector<Vec3>& r);
 
   /// Whether a float matrix would leave more rounding in A Δv than the tolerance allows.
   bool floatIsTooCoarse(const std::vector<Vec3>& dv, double tolerance) const;
 
  private:
+  double worstOver(const std::vector<double>& measure) const;
+
   std::vector<int> piece_;             // of each copy
   std::vector<double> squared_scale_;  // 1/diagonal of each copy; 0: it is held
   std::vector<double> mass_;           // of each piece's free copies [kg]
   std::vector<double> rounding_;       // squared, of each piece [N/m]
   std::vector<double> measure_, sum_;  // squared, of each piece
+  std::vector<double> acts_;           // squared: the measure before its rounding, where weight or loads act
 };
 
 }  // namespace incision
