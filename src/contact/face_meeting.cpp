@@ -16,9 +16,6 @@ constexpr double MAX_COSINE = -0.3;
 /// The foremost vertex of something thin meets a face with sides that are against it by more than this.
 constexpr double LEAST_COSINE = -0.05;
 
-/// What a triangle is wider, as a share of it, so that a point above an edge falls on one of its two sides.
-constexpr double RIM = 1e-2;
-
 /// By this sine what is round a vertex may be before it, and the vertex still be the foremost.
 constexpr double FOREMOST = 0.02;
 
@@ -95,22 +92,24 @@ std::optional<FaceMeeting> meetFace(const SkinInStep& skin, int sample, int tria
   return met;
 }
 
-Inside insideOf(const SkinInStep& skin, int vertex, Span<const NearPairs::SampleTriangle> near) {
+Inside insideOf(const SkinInStep& skin, int vertex, const PieceTrees& trees, int piece) {
   double nearest = std::numeric_limits<double>::infinity(), facing = 0;
   Vec3 normal = Vec3::Zero();
   const Vec3& p = skin.x[vertex];
-  for (const auto& [sample, t] : near) {
+  trees.forEachNear(piece, p, [&](int t) {
+    if (!hasAreaAtRest(skin.surface, t)) return (1 + SAME_DISTANCE) * nearest;
     const auto& [a, b, c] = skin.surface.surface->triangles[t];
     const Vec3& n = skin.normals[t];
     const Vec3 near_p = nearestOnTriangle({skin.x[a], skin.x[b], skin.x[c]}, p);
     const double distance = (p - near_p).squaredNorm(), gap = n.dot(p - skin.x[a]);
-    if (distance > (1 + SAME_DISTANCE) * nearest) continue;
+    if (distance > (1 + SAME_DISTANCE) * nearest) return (1 + SAME_DISTANCE) * nearest;
     if (distance < (1 - SAME_DISTANCE) * nearest || std::abs(gap) > std::abs(facing)) {
       facing = gap;
       normal = n;
     }
     nearest = std::min(nearest, distance);
-  }
+    return (1 + SAME_DISTANCE) * nearest;
+  });
   return {facing < 0 ? std::sqrt(nearest) : 0, normal};
 }
 

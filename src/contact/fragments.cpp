@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "incision/base/parallel.h"
+#include "incision/base/sort_once.h"
 
 namespace incision {
 namespace {
@@ -129,10 +130,16 @@ Candidate candidateOf(const SkinInStep& skin, const EdgeMeeting& met) {
   return made;
 }
 
-/// The nearest place where a sample meets one of the triangles near it. What is deep must be inside, or have been on
-/// that side; that is preferred then.
-std::optional<FaceMeeting> nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches,
-                                       Span<const NearPairs::SampleTriangle> near, bool of_one_piece) {
+/// Where a sample meets a piece: the nearest place, or whether it is so deep that it must be looked at twice.
+struct Nearest {
+  std::optional<FaceMeeting> met;
+  bool is_deep = false;
+};
+
+/// The nearest place where a sample meets one of the triangles near it. What is deep must be inside, as the `trees`
+/// tell where there are any, or have been on that side; that is preferred then.
+Nearest nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches,
+                    Span<const NearPairs::SampleTriangle> near, bool of_one_piece, const PieceTrees* trees) {
   const ContactSurface& surface = skin.surface;
   const int sample = near[0].sample, vertex = surface.samples[sample].vertex;
   std::optional<Inside> inside;
@@ -143,10 +150,11 @@ std::optional<FaceMeeting> nearestFace(const SkinInStep& skin, const std::vector
     if (!met || (of_one_piece && isOnePoint(between(surface, *met)))) continue;
     bool side_known = false;
     if (met->gap < -SHALLOW * surface.size[vertex] && !of_one_piece) {
+      if (!trees) return {std::nullopt, true};
       const int corner = surface.surface->triangles[met->triangle][0];
       const Touch* touch = touchBefore(surface, touches, Candidate::BODY, sample, corner);
       side_known = touch && touch->normal_in_solid.dot(met->normal) > SAME_SIDE;
-      if (!inside) inside = insideOf(skin, vertex, near);
+      if (!inside) inside = insideOf(skin, vertex, *trees, surface.piece[met->triangle]);
       if (!hasComeIn(*inside, *met, side_known)) continue;
     }
     const bool nearer = !best || std::abs(met->gap) < std::abs(best->gap);
@@ -154,7 +162,7 @@ std::optional<FaceMeeting> nearestFace(const SkinInStep& skin, const std::vector
     best = met;
     best_known = side_known;
   }
-  return best;
+  return {best, false};
 }
 
 }  // namespace
@@ -172,6 +180,7 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
     findFaces(skin, touches, *pairs[i], &faces_in_[i]);
     findEdges(skin, touches, *pairs[i], &edges_in_[i]);
   });
+  findDeepFaces(skin, touches, pairs.size(), threads);
   gather(pairs.size());
   for (const EdgeMeeting& met : edges_) candidates->push_back(candidateOf(skin, met));
   for (const Found& met : faces_) {
@@ -202,14 +211,32 @@ void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Ve
 
 /// The nearest places where samples meet the other piece.
 void FragmentFinder::findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
-                               std::vector<Found>* found) const {
-  found->clear();
+                               FacesIn* faces) const {
+  faces->found.clear();
+  faces->deep.clear();
   const NearPairs::SampleTriangle *first = pair.faces.data(), *const end = first + pair.faces.size();
   for (const auto* last = first; first != end; first = last) {
     while (last != end && last->sample == first->sample) ++last;
-    if (const std::optional<FaceMeeting> met = nearestFace(skin, touches, {first, last}, pair.a == pair.b))
-      found->push_back({*met, skin.surface.piece[met->triangle]});
+    const Nearest nearest = nearestFace(skin, touches, {first, last}, pair.a == pair.b, nullptr);
+    if (nearest.met) faces->found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
+    if (nearest.is_deep) faces->deep.emplace_back(first, last);
   }
+}
+
+/// Those of samples that are deep, once the trees of the pieces are where these are.
+void FragmentFinder::findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, std::size_t pairs,
+                                   int threads) {
+  deep_in_.clear();
+  for (std::size_t i = 0; i < pairs; ++i)
+    for (const Span<const NearPairs::SampleTriangle>& near : faces_in_[i].deep)
+      deep_in_.push_back(skin.surface.piece[near[0].triangle]);
+  sortOnce(&deep_in_);
+  const PieceTrees& trees = pairs_.placeTrees(skin.surface, skin.x, deep_in_, threads);
+  parallelFor(static_cast<int>(pairs), threads, [&](int i) {
+    for (const Span<const NearPairs::SampleTriangle>& near : faces_in_[i].deep)
+      if (const Nearest nearest = nearestFace(skin, touches, near, false, &trees); nearest.met)
+        faces_in_[i].found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
+  });
 }
 
 void FragmentFinder::findEdges(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
@@ -228,7 +255,7 @@ void FragmentFinder::gather(std::size_t pairs) {
   faces_.clear();
   edges_.clear();
   for (std::size_t i = 0; i < pairs; ++i) {
-    faces_.insert(faces_.end(), faces_in_[i].begin(), faces_in_[i].end());
+    faces_.insert(faces_.end(), faces_in_[i].found.begin(), faces_in_[i].found.end());
     edges_.insert(edges_.end(), edges_in_[i].begin(), edges_in_[i].end());
   }
   std::sort(faces_.begin(), faces_.end(),

@@ -1,11 +1,14 @@
 #include "incision/contact/near_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "incision/base/parallel.h"
 #include "incision/base/sort_once.h"
+#include "incision/contact/skin_in_step.h"
 
 namespace incision {
 namespace {
@@ -46,6 +49,21 @@ bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sam
   if (N.dot(from) < -SAME_PLANE * size * N.norm()) return true;
   const Vec3 M = restArea(surface, surface.around[sample.first]);
   return distance < BESIDE_AT_REST * size && N.dot(M) > ONE_SIDE * N.norm() * M.norm();
+}
+
+/// Whether a point is at most so far from a triangle's plane [m], and as seen along its normal beside no edge by more
+/// than `aside` [m] and the triangle's rim.
+bool isAbove(const std::array<Vec3, 3>& triangle, const Vec3& p, double further, double aside) {
+  const auto& [a, b, c] = triangle;
+  const Vec3 n = (b - a).cross(c - a);
+  const double square = n.squaredNorm(), length = std::sqrt(square);
+  if (std::abs(n.dot(p - a)) > further * length) return false;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &from = triangle[k], edge = triangle[(k + 1) % 3] - from;
+    // The weight of the third corner times n², and what an edge so far away changes of that.
+    if (edge.cross(p - from).dot(n) < -RIM * square - aside * edge.norm() * length) return false;
+  }
+  return true;
 }
 
 Eigen::AlignedBox3d boxOf(const ContactSurface::Edge& edge, const std::vector<Vec3>& x) {
@@ -96,11 +114,20 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
     to_place_.insert(to_place_.end(), {a, b});
   }
   sortOnce(&to_place_);
-  parallelFor(static_cast<int>(to_place_.size()), threads, [&](int i) { trees_.place(surface, x, to_place_[i]); });
+  placed_.assign(pairs_.size(), false);
+  placeTrees(surface, x, to_place_, threads);
   shares_.clear();
   for (std::size_t i = 0; i < stale_.size(); ++i) startSearch(reach, i);
   searchShares(surface, x, threads);
   searches_ += static_cast<int>(stale_.size());
+}
+
+const PieceTrees& NearPairs::placeTrees(const ContactSurface& surface, const std::vector<Vec3>& x,
+                                        const std::vector<int>& pieces, int threads) {
+  parallelFor(static_cast<int>(pieces.size()), threads, [&](int i) {
+    if (!std::exchange(placed_[pieces[i]], true)) trees_.place(surface, x, pieces[i]);
+  });
+  return trees_;
 }
 
 /// The pieces whose ways in the step come within reach of each other: those that begin along x before another ends.
@@ -154,6 +181,7 @@ void NearPairs::startSearch(double reach, std::size_t stale) {
   pair->off = a.off[0] + b.off[0];
   pair->margin = base_margin_ + needed(*pair);
   pair->further = TURNING * (reach * std::max(a.size, b.size) + pair->margin);
+  pair->aside = TURNING * pair->margin;
   for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->further, SHARES))
     shares_.push_back({stale, nodes, {}, {}});
 }
@@ -163,12 +191,11 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
   parallelFor(static_cast<int>(shares_.size()), threads, [&](int i) {
     Share& share = shares_[i];
     const Pair& pair = *stale_[share.stale];
-    const bool is_one_piece = pair.a == pair.b;
     trees_.forEachClose(share.nodes, pair.further, [&](int t, int other) {
       if (t == other) return;
-      addClose(surface, x, pair.further, t, other, is_one_piece, &share.faces);
-      addClose(surface, x, pair.further, other, t, is_one_piece, &share.faces);
-      if (is_one_piece) return;
+      addClose(surface, x, pair, t, other, &share.faces);
+      addClose(surface, x, pair, other, t, &share.faces);
+      if (pair.a == pair.b) return;
       for (int e : edges_of_[t])
         for (int f : edges_of_[other])
           if (areClose(boxOf(surface.edges[e], x), boxOf(surface.edges[f], x), pair.further))
@@ -189,20 +216,20 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
   });
 }
 
-/// Adds the samples that a triangle stands for and the other one, where they are so near.
-void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>& x, double further, int t, int other,
-                         bool is_one_piece, std::vector<SampleTriangle>* faces) const {
+/// Adds the samples that a triangle stands for and the other one, where they are above or below it, or may come there.
+void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair, int t, int other,
+                         std::vector<SampleTriangle>* faces) const {
   if (!has_area_[other]) return;
   const auto& [a, b, c] = surface.surface->triangles[other];
   for (int s : samples_of_[t]) {
     const int vertex = surface.samples[s].vertex;
     if (vertex == a || vertex == b || vertex == c) continue;
     const Vec3 lower = x[a].cwiseMin(x[b]).cwiseMin(x[c]), upper = x[a].cwiseMax(x[b]).cwiseMax(x[c]);
-    if ((lower.array() > x[vertex].array() + further).any() || (upper.array() < x[vertex].array() - further).any())
+    if ((lower.array() > x[vertex].array() + pair.further).any() ||
+        (upper.array() < x[vertex].array() - pair.further).any())
       continue;
-    const Vec3 n = (x[b] - x[a]).cross(x[c] - x[a]);
-    if (std::abs(n.dot(x[vertex] - x[a])) > further * n.norm()) continue;
-    if (!is_one_piece || !staysApart(surface, surface.samples[s], other)) faces->push_back({s, other});
+    if (!isAbove({x[a], x[b], x[c]}, x[vertex], pair.further, pair.aside)) continue;
+    if (pair.a != pair.b || !staysApart(surface, surface.samples[s], other)) faces->push_back({s, other});
   }
 }
 

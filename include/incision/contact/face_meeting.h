@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "incision/base/lists.h"
-#include "incision/contact/near_pairs.h"
+#include "incision/contact/piece_trees.h"
 #include "incision/contact/skin_in_step.h"
 
 namespace incision {
@@ -26,8 +25,8 @@ struct Inside {
   Vec3 normal;   ///< of the nearest triangle
 };
 
-/// Of a closed surface of which these are all triangles near a vertex. Inside it is behind the nearest, and where an
-/// edge or a corner is nearest, behind that one of its triangles which faces it most.
-Inside insideOf(const SkinInStep& skin, int vertex, Span<const NearPairs::SampleTriangle> near);
+/// Of the closed surface of a piece, whose tree has been placed. Inside it a vertex is behind the nearest triangle, and
+/// where an edge or a corner is nearest, behind that one of its triangles which faces it most.
+Inside insideOf(const SkinInStep& skin, int vertex, const PieceTrees& trees, int piece);
 
 }  // namespace incision

@@ -35,8 +35,15 @@ class FragmentFinder {
   };
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads);
+  /// What the faces of a pair meet.
+  struct FacesIn {
+    std::vector<Found> found;
+    std::vector<Span<const NearPairs::SampleTriangle>> deep;  ///< samples with what is near them, to be looked at twice
+  };
+
   void findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
-                 std::vector<Found>* found) const;
+                 FacesIn* faces) const;
+  void findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, std::size_t pairs, int threads);
   void findEdges(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
                  std::vector<EdgeMeeting>* found) const;
   void gather(std::size_t pairs);
@@ -46,10 +53,11 @@ class FragmentFinder {
   NearPairs pairs_;
   std::vector<Vec3> normals_, end_normals_;         // of each triangle, unit or zero
   std::vector<Vec3> sample_normals_;                // of each sample, unit or zero
-  std::vector<std::vector<Found>> faces_in_;        // by pair
+  std::vector<FacesIn> faces_in_;                   // by pair
   std::vector<std::vector<EdgeMeeting>> edges_in_;  // by pair
   std::vector<Found> faces_;                        // by sample, then by piece
   std::vector<EdgeMeeting> edges_;                  // by the one edge, then by the other
+  std::vector<int> deep_in_;                        // pieces that samples are deep in
 };
 
 }  // namespace incision

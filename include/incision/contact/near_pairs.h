@@ -10,7 +10,8 @@
 
 namespace incision {
 
-/// Which samples and triangles, and which edges, of two pieces, or of one and itself, may meet in a step. What was
+/// Which samples may meet which triangles, being above or below them, and which edges, of two pieces, or of one and
+/// itself, in a step. What was
 /// found stays as long as the two have moved relative to each other by less than the search looked beyond its reach: it
 /// holds all that is within reach, and more, so that it makes no difference when the search was.
 class NearPairs {
@@ -30,6 +31,7 @@ class NearPairs {
     double off = 0;      // of both from their shapes at the search [m]
     double margin = 0;   // by how much it looked further than to its reach, [m]
     double further = 0;  // and so how far in all [m]
+    double aside = 0;    // and how far from above a triangle, within its plane [m]
   };
 
   void surfaceChanged(const ContactSurface& surface);
@@ -40,6 +42,10 @@ class NearPairs {
 
   /// Those of the step, by their pieces.
   const std::vector<Pair*>& active() const { return active_; }
+
+  /// The trees, after these pieces, ascending, have been placed at the positions of the step.
+  const PieceTrees& placeTrees(const ContactSurface& surface, const std::vector<Vec3>& x,
+                               const std::vector<int>& pieces, int threads);
 
   /// How many pairs have been searched since the surface changed.
   int searches() const { return searches_; }
@@ -58,8 +64,8 @@ class NearPairs {
   bool isFresh(const Pair& pair) const;
   void startSearch(double reach, std::size_t stale);
   void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
-  void addClose(const ContactSurface& surface, const std::vector<Vec3>& x, double further, int t, int other,
-                bool is_one_piece, std::vector<SampleTriangle>* faces) const;
+  void addClose(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair, int t, int other,
+                std::vector<SampleTriangle>* faces) const;
 
   PieceFrames frames_;
   PieceTrees trees_;
@@ -72,6 +78,7 @@ class NearPairs {
   std::vector<std::pair<int, int>> close_;
   std::vector<Pair*> active_, stale_;
   std::vector<int> to_place_;
+  std::vector<char> placed_;  // in this step, of each piece
   std::vector<Share> shares_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,11 @@ class PieceTrees {
   template <typename Function>
   void forEachClose(const Share& share, double reach, const Function& f) const;
 
+  /// Calls f(triangle) for triangles of a piece that has been placed, the likely nearest to p first, as long as their
+  /// boxes may come closer to p than it has returned last: the square of a distance [m²].
+  template <typename Function>
+  void forEachNear(int piece, const Vec3& p, const Function& f) const;
+
  private:
   struct Node {
     Eigen::AlignedBox3d box;
@@ -64,6 +70,27 @@ void PieceTrees::forEachClose(const Share& share, double reach, const Function& 
     for (int s = m.begin; s < m.end; ++s)
       for (int t = i == k ? s : n.begin; t < n.end; ++t)
         if (areClose(boxes_[s], boxes_[t], reach)) f(order_[s], order_[t]);
+  }
+}
+
+template <typename Function>
+void PieceTrees::forEachNear(int piece, const Vec3& p, const Function& f) const {
+  double within = std::numeric_limits<double>::infinity();
+  std::vector<int> open;
+  if (start_[piece] < start_[piece + 1]) open.push_back(start_[piece]);
+  while (!open.empty()) {
+    const Node& node = nodes_[open.back()];
+    open.pop_back();
+    if (node.box.squaredExteriorDistance(p) > within) continue;
+    if (node.children < 0) {
+      for (int k = node.begin; k < node.end; ++k)
+        if (boxes_[k].squaredExteriorDistance(p) <= within) within = f(order_[k]);
+      continue;
+    }
+    const auto distance = [&](int child) { return nodes_[child].box.squaredExteriorDistance(p); };
+    const bool second_is_nearer = distance(node.children + 1) < distance(node.children);
+    open.push_back(node.children + (second_is_nearer ? 0 : 1));
+    open.push_back(node.children + (second_is_nearer ? 1 : 0));
   }
 }
 

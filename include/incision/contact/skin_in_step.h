@@ -22,4 +22,7 @@ struct SkinInStep {
 /// Depths up to so many elements are still contacts.
 inline constexpr double MAX_DEPTH = 0.1;
 
+/// What a triangle is wider than it is, as a share of it, so that a point above an edge falls on one of its two sides.
+inline constexpr double RIM = 1e-2;
+
 }  // namespace incision
