@@ -60,8 +60,9 @@ inline bool advancePart(Rig* rig, Couplers* couplers, const StepSpan& span, doub
   return true;
 }
 
-/// Takes a step under these couplers, in parts where it must be. Returns whether it could be taken.
-inline bool advanceWith(Rig* rig, Couplers* couplers) {
+/// Takes a step under these couplers, in parts where it must be. Returns whether it could be taken; how it was solved
+/// is added to `solved`.
+inline bool advanceWith(Rig* rig, Couplers* couplers, SolveStats* solved = nullptr) {
   struct Kept {
     Motion motion;
     ImplicitStep::Memory step;
@@ -70,7 +71,9 @@ inline bool advanceWith(Rig* rig, Couplers* couplers) {
   const bool taken = advanceInParts(
       {rig->time_step}, rig->time,
       [&](const StepSpan& span, double time, StepDemand demand) {
-        return advancePart(rig, couplers, span, time, demand);
+        const bool part_taken = advancePart(rig, couplers, span, time, demand);
+        if (solved) solved->add(rig->step.stats(), part_taken);
+        return part_taken;
       },
       [&] {
         return Kept{rig->motion, rig->step.keep(), couplers->keep()};

@@ -62,3 +62,20 @@ class Stability(unittest.TestCase):
 
     def test_free_bodies_of_any_stiffness_fly(self):
         self.hold('Free bodies of any stiffness', 6)
+
+    def test_blocks_that_fall_to_pieces_on_the_ground_alone_win_no_energy(self):
+        self.hold('Contact: blocks that fall to pieces, E from 1e4 to 1e9 Pa × Δt from 1 to 20 ms', 1)
+
+    def test_pieces_that_are_dropped_stand_or_are_thrown_down_win_no_energy(self):
+        self.hold('Contact: pieces that are dropped, stand, are thrown down, spin and are cut', 7)
+
+    def test_steps_of_pieces_that_touch_settle_in_few_solves_and_keep_the_momentum(self):
+        self.hold('Contact: all of these ensembles together', 4)
+        self.assertEqual(len(DATA['ensembles']), 8)
+        for ensemble in DATA['ensembles']:
+            with self.subTest(ensemble['name']):
+                self.assertGreater(ensemble['runs'], 0)
+                self.assertEqual(ensemble['runs'] % DATA['seeds'], 0)
+                self.assertLess(ensemble['momentum'], 1e-9)
+                if ensemble['name'] != 'a blade through pieces':  # which gets above it with plain arithmetic
+                    self.assertLessEqual(ensemble['above'], 1e-6)

@@ -6,8 +6,8 @@ int main(int argc, char** argv) {
   using namespace incision::report;
   return writeSection(argc, argv, [](bool quick, nlohmann::json* data) {
     Matrix matrix(quick, data);
-    for (const auto group :
-         {mapOfStiffness, extremeShapes, cutsAndGeometry, smallParts, manyCuts, extremeMotion, extremeElements})
+    for (const auto group : {mapOfStiffness, extremeShapes, cutsAndGeometry, smallParts, manyCuts, extremeMotion,
+                             extremeElements, contactEnsembles})
       group(&matrix);
   });
 }

@@ -51,6 +51,32 @@ def draw_maps(data, draw):
                  'iterations a step (iterative)')
 
 
+def contact_map(data):
+    return [row for row in data['kinds'] if row['name'] == 'falling']
+
+
+def rise(row):
+    """The largest of the energy, of the whole; what is no number counts as all of it."""
+    return 1 if row['rise'] is None else row['rise']
+
+
+def risen(row):
+    """How many powers of ten the largest rise is above what counts as none, of six."""
+    return min(1, math.log10(max(rise(row), CALM) / CALM) / 6)
+
+
+def draw_contact(data, draw):
+    rows = contact_map(data)
+    most = max(row['solves'][1] for row in rows)
+    with draw.panels('contact', 3, width=4.2, height=3.8) as axes:
+        draw_map(axes[0], rows, lambda row: f'{rise(row):.0e}' if rise(row) > CALM else '0', risen,
+                 'largest rise of the energy, of the whole')
+        draw_map(axes[1], rows, lambda row: f'{row["solves"][1]}', lambda row: row['solves'][1] / most,
+                 'solves a step, 99 %')
+        draw_map(axes[2], rows, lambda row: f'{100 * row["overlap"]:.1f}', lambda row: min(1, row['overlap']),
+                 'deepest overlap, % of an element')
+
+
 def draw_limits(data, draw):
     with draw.panels('limits', 3, width=4.0) as (tension, spin, stiff):
         for k, ratio in enumerate(sorted({row['ratio'] for row in data['tension']})):
@@ -94,9 +120,32 @@ def thinnest(rows, name, method):
     return thin
 
 
+def ensemble_rows(ensembles):
+    return [{'ensemble': row['name'], 'taken': row['steps'], 'risen': row['rises'], 'rise': number(row['rise']),
+             'share': row['unsettled'] / row['steps'], 'solved': row['solves'],
+             'deep': row['overlap'], 'drift': number(row['momentum'])}
+            for row in ensembles]
+
+
+def deepest(rows, which):
+    """The field with the deepest overlap of those with the shortest, or the longest, steps."""
+    dt = which(row['dt'] for row in rows)
+    return max((row for row in rows if row['dt'] == dt), key=lambda row: row['overlap'])
+
+
+def fields_of_contact(data):
+    ensembles = {row['name']: row for row in data['ensembles']}
+    return {'ensemble_rows': ensemble_rows(data['ensembles']), 'contact': ensembles,
+            'contact_steps': sum(row['steps'] for row in data['ensembles']),
+            'short': deepest(contact_map(data), min), 'long': deepest(contact_map(data), max),
+            'calm_fields': sum(rise(row) <= CALM for row in contact_map(data)),
+            'contact_fields': len(contact_map(data))}
+
+
 def fields(data, draw):
     draw_maps(data, draw)
     draw_limits(data, draw)
+    draw_contact(data, draw)
     cases, poisson = data['cases'], [row for row in data['poisson'] if row['method'] == 'iterative']
     pieces = {row['gap']: row['pieces'] for row in data['hair'] if row['gap'] > 5e-8}
     return {'count': len(cases), 'passed': sum(case['passes'] for case in cases),
@@ -109,4 +158,5 @@ def fields(data, draw):
             'gaps': [exponent(gap) for gap in sorted(pieces, reverse=True)],
             'pieces': [pieces[gap] for gap in sorted(pieces, reverse=True)],
             'crossing': [exponent(row['angle']) for row in data['angles']],
-            'shares': [row['share'] for row in data['angles']], 'case_rows': case_rows(cases)}
+            'shares': [row['share'] for row in data['angles']], 'case_rows': case_rows(cases),
+            **fields_of_contact(data)}
