@@ -6,7 +6,16 @@ namespace incision {
 
 BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obstacles,
                          const std::vector<RigidMotion>& motions, ContactSkin* skin)
-    : Contact(settings.friction, skin), self_(settings.self), obstacles_(obstacles), motions_(motions) {}
+    : Contact(settings.friction, skin),
+      self_(settings.self),
+      obstacles_(obstacles),
+      motions_(motions),
+      body_skin_(*skin) {}
+
+bool BodyContact::holds(const StepSpan& span, Span<const Vec3> moved, const Motion& end) {
+  return fragments_.isAsReckoned(body_skin_.surface(), candidates(), moved, span.to - span.from, end.x,
+                                 body_skin_.threads());
+}
 
 void BodyContact::addWrenches(Span<const Vec3> impulses, Span<const Vec3> levers, double time, Wrench* ground,
                               std::vector<Wrench>* links) const {

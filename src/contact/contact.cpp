@@ -61,7 +61,8 @@ bool Contact::begin(const StepStart& start, std::vector<Spring>* springs) {
     continueTouches(touches, start.span.time_step);
   }
   const auto too_deep = [](const Candidate& candidate) {
-    return candidate.isOfBody() && candidate.ignored > DEEPEST_BEGIN * candidate.size;
+    const double deepest = candidate.goes_on ? MAX_DEPTH : DEEPEST_BEGIN;
+    return candidate.isOfBody() && candidate.ignored > deepest * candidate.size;
   };
   candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), too_deep), candidates_.end());
   for (const Candidate& candidate : candidates_) springs->push_back(candidate.point);
@@ -110,6 +111,7 @@ void Contact::continueTouches(const std::vector<Touch>& touches, double time_ste
     candidate.worked_off = of_body ? 0 : depth;
     const Touch* touch = touchBefore(skin_->surface(), touches, candidate.partner, candidate.sample, candidate.other);
     if (!touch) continue;
+    candidate.goes_on = true;
     legacy_.goesOn(*touch);
     const double same_energy = std::sqrt(std::min(1.0, touch->stiffness / candidate.stiffness));
     const double same_drag = std::sqrt(std::min(1.0, touch->tangential / candidate.tangential));
@@ -190,10 +192,9 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
   for (int i = 0; i < moved.size(); ++i) {
     const Candidate& candidate = candidates_[i];
     const Trial trial = tryAt(candidate, moved[i]);
-    const bool of_body = candidate.isOfBody();
     const bool is_near = trial.gap < candidate.ignored + MARGIN * candidate.size;
-    // What is in an obstacle, or beside it, is known to be on this side of it, pressed or not.
-    if (!trial.presses && (of_body || !is_near)) continue;
+    // What is in an obstacle, or beside it, is known to be on this side of it, pressed or not; edges likewise.
+    if (!trial.presses && (candidate.partner == Candidate::BODY || !is_near)) continue;
     const Touch touch = touchOf(candidate, trial, most_[i]);
     memory_.push_back(touch);
     if (!trial.presses) continue;

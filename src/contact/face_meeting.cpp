@@ -92,16 +92,17 @@ std::optional<FaceMeeting> meetFace(const SkinInStep& skin, int sample, int tria
   return met;
 }
 
-Inside insideOf(const SkinInStep& skin, int vertex, const PieceTrees& trees, int piece) {
+Inside insideOf(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex, const PieceTrees& trees,
+                int piece) {
   double nearest = std::numeric_limits<double>::infinity(), facing = 0;
   Vec3 normal = Vec3::Zero();
-  const Vec3& p = skin.x[vertex];
+  const Vec3& p = x[vertex];
   trees.forEachNear(piece, p, [&](int t) {
-    if (!hasAreaAtRest(skin.surface, t)) return (1 + SAME_DISTANCE) * nearest;
-    const auto& [a, b, c] = skin.surface.surface->triangles[t];
-    const Vec3& n = skin.normals[t];
-    const Vec3 near_p = nearestOnTriangle({skin.x[a], skin.x[b], skin.x[c]}, p);
-    const double distance = (p - near_p).squaredNorm(), gap = n.dot(p - skin.x[a]);
+    if (!hasAreaAtRest(surface, t)) return (1 + SAME_DISTANCE) * nearest;
+    const auto& [i, j, k] = surface.surface->triangles[t];
+    const Vec3 &a = x[i], &b = x[j], &c = x[k], n = (b - a).cross(c - a).stableNormalized();
+    const Vec3 near_p = nearestOnTriangle({a, b, c}, p);
+    const double distance = (p - near_p).squaredNorm(), gap = n.dot(p - a);
     if (distance > (1 + SAME_DISTANCE) * nearest) return (1 + SAME_DISTANCE) * nearest;
     if (distance < (1 - SAME_DISTANCE) * nearest || std::abs(gap) > std::abs(facing)) {
       facing = gap;

@@ -103,6 +103,7 @@ Candidate candidateOf(const ContactSurface& surface, const FaceMeeting& met, dou
   int corner = 0;
   met.weights.maxCoeff(&corner);
   made.other = surface.surface->triangles[met.triangle][corner];
+  made.triangle = met.triangle;
   made.size = surface.size[sample.vertex];
   made.stiffness = share * (CONTACT_STIFFNESS * surface.young_modulus[sample.vertex]) * sample.area / made.size;
   return made;
@@ -123,6 +124,7 @@ Candidate candidateOf(const SkinInStep& skin, const EdgeMeeting& met) {
   Candidate made = makeCandidate(Candidate::EDGES, met.normal, met.gap, between(surface, met));
   made.sample = met.edge;
   made.other = met.other;
+  made.goes_on = met.goes_on;
   made.way_out = distanceFromEnds(skin, met);
   made.size = std::min(surface.size[e], surface.size[f]);
   made.stiffness =
@@ -154,7 +156,7 @@ Nearest nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches,
       const int corner = surface.surface->triangles[met->triangle][0];
       const Touch* touch = touchBefore(surface, touches, Candidate::BODY, sample, corner);
       side_known = touch && touch->normal_in_solid.dot(met->normal) > SAME_SIDE;
-      if (!inside) inside = insideOf(skin, vertex, *trees, surface.piece[met->triangle]);
+      if (!inside) inside = insideOf(surface, skin.x, vertex, *trees, surface.piece[met->triangle]);
       if (!hasComeIn(*inside, *met, side_known)) continue;
     }
     const bool nearer = !best || std::abs(met->gap) < std::abs(best->gap);
@@ -243,10 +245,13 @@ void FragmentFinder::findEdges(const SkinInStep& skin, const std::vector<Touch>&
                                std::vector<EdgeMeeting>* found) const {
   found->clear();
   for (const auto& [a, b] : pair.edges) {
-    const std::optional<EdgeMeeting> met = meetEdges(skin, std::min(a, b), std::max(a, b));
+    std::optional<EdgeMeeting> met = meetEdges(skin, std::min(a, b), std::max(a, b));
     if (!met) continue;
     const double size = skin.surface.size[skin.surface.edges[a].from];
-    if (met->gap < -SHALLOW_EDGES * size && !haveCrossed(skin.surface, touches, *met)) continue;
+    if (met->gap < -SHALLOW_EDGES * size) {
+      met->goes_on = haveCrossed(skin.surface, touches, *met);
+      if (!met->goes_on) continue;
+    }
     found->push_back(*met);
   }
 }

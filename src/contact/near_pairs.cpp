@@ -17,6 +17,9 @@ namespace {
 /// through.
 constexpr double FURTHER = 0.12;
 
+/// And for a piece and itself, which mostly has nothing near.
+constexpr double FURTHER_IN_ONE = 0.5;
+
 /// Shares of the search of one pair.
 constexpr std::size_t SHARES = 16;
 
@@ -86,6 +89,7 @@ void NearPairs::surfaceChanged(const ContactSurface& surface) {
     for (std::size_t e = 0; e < surface.edges.size(); ++e) add(surface.edges[e].triangle, static_cast<int>(e));
   });
   base_margin_ = FURTHER * surface.mean_size;
+  margin_of_one_ = FURTHER_IN_ONE * surface.mean_size;
   searches_ = 0;
   pairs_.clear();
   pairs_.resize(surface.pieces);
@@ -109,7 +113,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
       (*at)->b = b;
     }
     active_.push_back(at->get());
-    if (isFresh(**at)) continue;
+    if (needed(**at) < (*at)->margin) continue;
     stale_.push_back(at->get());
     to_place_.insert(to_place_.end(), {a, b});
   }
@@ -127,6 +131,14 @@ const PieceTrees& NearPairs::placeTrees(const ContactSurface& surface, const std
   parallelFor(static_cast<int>(pieces.size()), threads, [&](int i) {
     if (!std::exchange(placed_[pieces[i]], true)) trees_.place(surface, x, pieces[i]);
   });
+  return trees_;
+}
+
+const PieceTrees& NearPairs::placeTreesElsewhere(const ContactSurface& surface, const std::vector<Vec3>& x,
+                                                 const std::vector<int>& pieces, int threads) {
+  placed_.assign(pairs_.size(), false);
+  placeTrees(surface, x, pieces, threads);
+  placed_.assign(pairs_.size(), false);
   return trees_;
 }
 
@@ -160,12 +172,7 @@ double NearPairs::needed(const Pair& pair) const {
     const double rigid = pair.a == pair.b ? 0 : movedApart(a, b, pair.from_a, pair.from_b, end);
     most = std::max(most, rigid + a.off[end] + b.off[end]);
   }
-  return most + pair.off;
-}
-
-bool NearPairs::isFresh(const Pair& pair) const {
-  const PieceFrames::Piece &a = frames_.pieces()[pair.a], &b = frames_.pieces()[pair.b];
-  return pair.generation_a == a.generation && pair.generation_b == b.generation && needed(pair) < pair.margin;
+  return most + pair.off + a.worn + b.worn - pair.worn;
 }
 
 /// Divides the search of a pair, which may be the only one, into shares.
@@ -176,10 +183,9 @@ void NearPairs::startSearch(double reach, std::size_t stale) {
   pair->edges.clear();
   pair->from_a = a.frames[0];
   pair->from_b = b.frames[0];
-  pair->generation_a = a.generation;
-  pair->generation_b = b.generation;
+  pair->worn = a.worn + b.worn;
   pair->off = a.off[0] + b.off[0];
-  pair->margin = base_margin_ + needed(*pair);
+  pair->margin = (pair->a == pair->b ? margin_of_one_ : base_margin_) + needed(*pair);
   pair->further = TURNING * (reach * std::max(a.size, b.size) + pair->margin);
   pair->aside = TURNING * pair->margin;
   for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->further, SHARES))

@@ -55,24 +55,33 @@ void PieceFrames::follow(const std::vector<Vec3>& x, const std::vector<Vec3>& ah
     followed.way.extend(x[v]);
     followed.way.extend(x[v] + ahead[v]);
   }
-  if (followed.generation > 0) fit(piece, 0, x, ahead);
-  if (followed.generation == 0 || followed.off[0] > most) takeShape(x, piece);
+  if (!followed.is_followed) begin(x, piece);
+  fit(piece, 0, x, ahead);
+  if (followed.off[0] > most) {
+    followed.worn += followed.off[0];
+    takeShape(x, piece);
+  }
   followed.frames[1] = followed.frames[0];
   fit(piece, 1, x, ahead);
+}
+
+void PieceFrames::begin(const std::vector<Vec3>& x, int piece) {
+  const Span<const int> vertices = std::as_const(vertices_)[piece];
+  Vec3 sum = Vec3::Zero();
+  for (int v : vertices) sum += x[v];
+  pieces_[piece].frames[0] = {Mat3::Identity(), sum / std::max(1, vertices.size())};
+  pieces_[piece].is_followed = true;
+  takeShape(x, piece);
 }
 
 void PieceFrames::takeShape(const std::vector<Vec3>& x, int piece) {
   Piece& taken = pieces_[piece];
   const Span<const int> vertices = std::as_const(vertices_)[piece];
-  Vec3 sum = Vec3::Zero();
-  for (int v : vertices) sum += x[v];
-  ++taken.generation;
-  taken.frames[0] = {Mat3::Identity(), sum / std::max(1, vertices.size())};
   taken.off[0] = 0;
   taken.shape.setEmpty();
   for (int i = 0; i < vertices.size(); ++i) {
     Vec3& s = shape_[vertices_.start(piece) + i];
-    s = x[vertices[i]] - taken.frames[0].centre;
+    s = taken.frames[0].turn.transpose() * (x[vertices[i]] - taken.frames[0].centre);
     taken.shape.extend(s);
   }
 }

@@ -56,6 +56,12 @@ void Couplers::findWrenches(const std::vector<Vec3>& impulses, const std::vector
   }
 }
 
+bool Couplers::hold(const std::vector<Vec3>& moved, const Motion& end) {
+  for (std::size_t i = 0; i < list_.size(); ++i)
+    if (takes_part_[i] && !list_[i]->holds(span_, ofCoupler(i, moved), end)) return false;
+  return true;
+}
+
 void Couplers::accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt) {
   for (std::size_t i = 0; i < list_.size(); ++i)
     if (takes_part_[i]) list_[i]->accept(span_, ofCoupler(i, moved), end, felt[i]);

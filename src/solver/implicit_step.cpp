@@ -217,12 +217,22 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
     rotated_ = false;
     return false;
   }
+  if (couplers) {
+    motion_ahead_ = *motion;
+    rigid_.finish(base_, dv_, &motion_ahead_);
+    if (demand == StepDemand::SOUND && !couplers->hold(newton_.moved(), motion_ahead_)) {
+      giveUp();
+      rotated_ = false;
+      return false;
+    }
+  }
   rotated_ = false;
   remember();
   if (wants_clamp_wrenches_) findClampWrenches(couplers != nullptr, *motion);
   if (couplers) {
     findWrenches(*couplers, *motion);
-    rigid_.finish(base_, dv_, motion);
+    motion->x.swap(motion_ahead_.x);
+    motion->v.swap(motion_ahead_.v);
   } else {
     for (int c = 0; c < mesh_.numCopies(); ++c) {
       motion->v[c] = base_.v[c] + base_.u[c] + dv_[c];

@@ -16,6 +16,7 @@ class BodyContact : public Contact {
               ContactSkin* skin);
 
   void changed(const CutMesh& /*mesh*/) override { fragments_.surfaceChanged(); }
+  bool holds(const StepSpan& span, Span<const Vec3> moved, const Motion& end) override;
 
   /// Adds what the springs did to the ground and to each obstacle's link by these impulses [N s] on the body in the
   /// step that has been taken, as the mean over `time` [s]: about the origin of the body's frame, by these levers [m].
@@ -31,6 +32,7 @@ class BodyContact : public Contact {
   const Obstacles& obstacles_;
   const std::vector<RigidMotion>& motions_;
   FragmentFinder fragments_;
+  const ContactSkin& body_skin_;
 };
 
 }  // namespace incision

@@ -28,19 +28,22 @@ inline constexpr double MARGIN = 0.1;
 inline constexpr double RECOVERY = 1;
 
 /// Contacts of the body with itself that begin deeper than this, in elements, are none: the point lies behind a face of
-/// something thin, which another face keeps it out of.
+/// something thin, which another face keeps it out of. Those that go on from the last step, on a side that is known,
+/// stay up to MAX_DEPTH.
 inline constexpr double DEEPEST_BEGIN = 0.05;
 
 /// A place where a point of the surface may touch a plane in this step.
 struct Candidate {
-  int sample;      ///< of the ContactSurface; for obstacles the vertex, for EDGES the first edge
-  int partner;     ///< the obstacle, BODY: the body's own face, or EDGES: two of the body's edges
-  int other = -1;  ///< for EDGES the second edge, for BODY a vertex of the face
-  Vec3 normal;     ///< n, unit, from the partner to the point
-  double gap = 0;  ///< g [m] when the step starts, negative inside
+  int sample;         ///< of the ContactSurface; for obstacles the vertex, for EDGES the first edge
+  int partner;        ///< the obstacle, BODY: the body's own face, or EDGES: two of the body's edges
+  int other = -1;     ///< for EDGES the second edge, for BODY a vertex of the face
+  int triangle = -1;  ///< for BODY: the face
+  Vec3 normal;        ///< n, unit, from the partner to the point
+  double gap = 0;     ///< g [m] when the step starts, negative inside
   double way_out = std::numeric_limits<double>::infinity();  ///< a bound on how deep it counts, by another way out [m]
   double ignored = 0;                                        ///< depth that the force leaves alone [m]
   double worked_off = 0;                                     ///< how much of it is still to be worked off [m]
+  bool goes_on = false;                                      ///< as one of the last step's, on the side that is known
   Vec3 drift;             ///< of the partner in the step, where it is an obstacle [m]
   double stiffness = 0;   ///< k [N/m]
   double tangential = 0;  ///< k_t [N/m]

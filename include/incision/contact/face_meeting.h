@@ -25,8 +25,10 @@ struct Inside {
   Vec3 normal;   ///< of the nearest triangle
 };
 
-/// Of the closed surface of a piece, whose tree has been placed. Inside it a vertex is behind the nearest triangle, and
-/// where an edge or a corner is nearest, behind that one of its triangles which faces it most.
-Inside insideOf(const SkinInStep& skin, int vertex, const PieceTrees& trees, int piece);
+/// Of the closed surface of a piece, whose tree has been placed at these positions of the vertices [m]. Inside it a
+/// vertex is behind the nearest triangle, and where an edge or a corner is nearest, behind that one of its triangles
+/// which faces it most.
+Inside insideOf(const ContactSurface& surface, const std::vector<Vec3>& x, int vertex, const PieceTrees& trees,
+                int piece);
 
 }  // namespace incision

@@ -6,6 +6,7 @@
 #include "incision/contact/edge_meeting.h"
 #include "incision/contact/face_meeting.h"
 #include "incision/contact/near_pairs.h"
+#include "incision/contact/step_end.h"
 
 namespace incision {
 
@@ -27,6 +28,12 @@ class FragmentFinder {
             const std::vector<Touch>& touches, int threads, std::vector<Candidate>* candidates);
 
   const NearPairs& pairs() const { return pairs_; }
+
+  /// Where the step from there ends: StepEnd::isAsReckoned.
+  bool isAsReckoned(const ContactSurface& surface, const std::vector<Candidate>& candidates, Span<const Vec3> moved,
+                    double share, const std::vector<Vec3>& x, int threads) {
+    return step_end_.isAsReckoned(surface, candidates, moved, share, x, &pairs_, threads);
+  }
 
  private:
   /// A sample and where it meets a piece.
@@ -51,6 +58,7 @@ class FragmentFinder {
 
   bool changed_ = true;
   NearPairs pairs_;
+  StepEnd step_end_;
   std::vector<Vec3> normals_, end_normals_;         // of each triangle, unit or zero
   std::vector<Vec3> sample_normals_;                // of each sample, unit or zero
   std::vector<FacesIn> faces_in_;                   // by pair

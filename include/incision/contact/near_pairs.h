@@ -27,11 +27,11 @@ class NearPairs {
    private:
     friend class NearPairs;
     PieceFrames::Frame from_a, from_b;  // where they were at the search
-    int generation_a = 0, generation_b = 0;
-    double off = 0;      // of both from their shapes at the search [m]
-    double margin = 0;   // by how much it looked further than to its reach, [m]
-    double further = 0;  // and so how far in all [m]
-    double aside = 0;    // and how far from above a triangle, within its plane [m]
+    double worn = 0;                    // of both at the search [m]
+    double off = 0;                     // of both from their shapes at the search [m]
+    double margin = 0;                  // by how much it looked further than to its reach, [m]
+    double further = 0;                 // and so how far in all [m]
+    double aside = 0;                   // and how far from above a triangle, within its plane [m]
   };
 
   void surfaceChanged(const ContactSurface& surface);
@@ -47,6 +47,10 @@ class NearPairs {
   const PieceTrees& placeTrees(const ContactSurface& surface, const std::vector<Vec3>& x,
                                const std::vector<int>& pieces, int threads);
 
+  /// The same at other positions; those of the step are lost.
+  const PieceTrees& placeTreesElsewhere(const ContactSurface& surface, const std::vector<Vec3>& x,
+                                        const std::vector<int>& pieces, int threads);
+
   /// How many pairs have been searched since the surface changed.
   int searches() const { return searches_; }
 
@@ -61,7 +65,6 @@ class NearPairs {
   };
 
   double needed(const Pair& pair) const;
-  bool isFresh(const Pair& pair) const;
   void startSearch(double reach, std::size_t stale);
   void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   void addClose(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair, int t, int other,
@@ -69,9 +72,9 @@ class NearPairs {
 
   PieceFrames frames_;
   PieceTrees trees_;
-  Lists<int> samples_of_, edges_of_;  // each triangle: those that it stands for
-  std::vector<char> has_area_;        // of each triangle
-  double base_margin_ = 0;            // [m]
+  Lists<int> samples_of_, edges_of_;            // each triangle: those that it stands for
+  std::vector<char> has_area_;                  // of each triangle
+  double base_margin_ = 0, margin_of_one_ = 0;  // of two pieces, and of a piece with itself [m]
   int searches_ = 0;
   std::vector<std::vector<std::unique_ptr<Pair>>> pairs_;  // of each piece, those with later ones
   std::vector<std::pair<double, int>> sweep_;              // pieces by where they begin along x

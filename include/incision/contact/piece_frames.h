@@ -24,19 +24,21 @@ class PieceFrames {
     std::array<double, 2> off = {0, 0};  ///< how far vertices are from where the shape has them, the most [m]
     Eigen::AlignedBox3d way;             ///< round all that it passes in the step
     Eigen::AlignedBox3d shape;           ///< round its shape
-    int generation = 0;                  ///< of the shape, which is taken anew when it has changed by much
+    double worn = 0;                     ///< by how much shapes that were taken anew differ, all together [m]
+    bool is_followed = false;            ///< it has a shape
     double size = 0;                     ///< the largest of its vertices' [m]
   };
 
   void surfaceChanged(const ContactSurface& surface);
 
-  /// The shape of a piece that is off by more than `most` [m] is taken anew.
+  /// The shape of a piece that is off by more than `most` [m] is taken anew, in the frame that the piece has.
   void update(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double most, int threads);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
 
  private:
   void follow(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double most, int piece);
+  void begin(const std::vector<Vec3>& x, int piece);
   void takeShape(const std::vector<Vec3>& x, int piece);
   void fit(int piece, int end, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -43,6 +44,9 @@ class PieceTrees {
   void forEachNear(int piece, const Vec3& p, const Function& f) const;
 
  private:
+  /// More than a tree of 2³¹ triangles has levels, since nodes are halved.
+  static constexpr int DEPTH = 32;
+
   struct Node {
     Eigen::AlignedBox3d box;
     int begin, end;     // of the triangles in order_
@@ -76,11 +80,11 @@ void PieceTrees::forEachClose(const Share& share, double reach, const Function& 
 template <typename Function>
 void PieceTrees::forEachNear(int piece, const Vec3& p, const Function& f) const {
   double within = std::numeric_limits<double>::infinity();
-  std::vector<int> open;
-  if (start_[piece] < start_[piece + 1]) open.push_back(start_[piece]);
-  while (!open.empty()) {
-    const Node& node = nodes_[open.back()];
-    open.pop_back();
+  std::array<int, 2 * DEPTH> open;
+  std::size_t count = 0;
+  if (start_[piece] < start_[piece + 1]) open[count++] = start_[piece];
+  while (count > 0) {
+    const Node& node = nodes_[open[--count]];
     if (node.box.squaredExteriorDistance(p) > within) continue;
     if (node.children < 0) {
       for (int k = node.begin; k < node.end; ++k)
@@ -89,8 +93,8 @@ void PieceTrees::forEachNear(int piece, const Vec3& p, const Function& f) const 
     }
     const auto distance = [&](int child) { return nodes_[child].box.squaredExteriorDistance(p); };
     const bool second_is_nearer = distance(node.children + 1) < distance(node.children);
-    open.push_back(node.children + (second_is_nearer ? 0 : 1));
-    open.push_back(node.children + (second_is_nearer ? 1 : 0));
+    open[count++] = node.children + (second_is_nearer ? 0 : 1);
+    open[count++] = node.children + (second_is_nearer ? 1 : 0);
   }
 }
 

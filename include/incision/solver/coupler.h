@@ -70,6 +70,10 @@ class Coupler : public Remembers {
   /// do, a loose one finds wrong ones.
   virtual double looseness() const { return 1e-2; }
 
+  /// Whether it is as it was reckoned where the step ends, with these displacements [m] of its springs' points: what is
+  /// reckoned along straight ways may not be where pieces turn. If not, the step is better taken in shorter ones.
+  virtual bool holds(const StepSpan& /*span*/, Span<const Vec3> /*moved*/, const Motion& /*end*/) { return true; }
+
   /// The step has been taken, to these displacements [m] of its springs' points. `felt` is what the springs have done
   /// to their other end, as wrenchOf says; without another end it is zero.
   virtual void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) = 0;

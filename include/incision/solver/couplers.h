@@ -36,6 +36,9 @@ class Couplers {
   /// of each; zero for couplers that have no other end.
   void findWrenches(const std::vector<Vec3>& impulses, const std::vector<Vec3>& y, std::vector<Wrench>* wrenches) const;
 
+  /// Whether all are as they were reckoned.
+  bool hold(const std::vector<Vec3>& moved, const Motion& end);
+
   /// The step has been taken. `felt` is the wrench on each coupler's other end.
   void accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt);
 

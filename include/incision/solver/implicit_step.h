@@ -197,6 +197,7 @@ class ImplicitStep : private StepEquations {
   double end_ = 0;  // time when it ends [s]
   StepDemand demand_ = StepDemand::ANY;
   StepBase base_;
+  Motion motion_ahead_;  // where couplers have the step end
   bool matrix_ready_ = false, rotated_ = false;
   const std::vector<Vec3>* start_x_ = nullptr;
   std::vector<Vec3> off_;    // momentum of each piece [N s]

@@ -1,0 +1,75 @@
+#include "incision/contact/step_end.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "incision/base/sort_once.h"
+#include "incision/contact/face_meeting.h"
+
+namespace incision {
+namespace {
+
+/// What the contacts of a step may be deeper at its end than was reckoned, in elements. A part of a step has its share.
+constexpr double DEEPER = 0.03;
+
+Vec3 placed(const ContactSurface& surface, int vertex, const std::vector<Vec3>& x) {
+  const SurfaceVertex& v = surface.surface->vertices[vertex];
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < 4; ++k) sum += v.weights[k] * x[v.copies[k]];
+  return sum;
+}
+
+/// How far behind the plane of its face the vertex of a candidate is [m].
+double depthBehind(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
+  const auto& [i, j, k] = surface.surface->triangles[candidate.triangle];
+  const Vec3 a = placed(surface, i, x), b = placed(surface, j, x), c = placed(surface, k, x);
+  const Vec3 p = placed(surface, surface.samples[candidate.sample].vertex, x);
+  return (b - a).cross(c - a).stableNormalized().dot(a - p);
+}
+
+/// How deep two edges that still cross are in each other [m]; below zero where they do not.
+double depthOfEdges(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
+  const ContactSurface::Edge &e = surface.edges[candidate.sample], &f = surface.edges[candidate.other];
+  const Vec3 a = placed(surface, e.from, x), b = placed(surface, f.from, x), d = a - b;
+  const Vec3 u = placed(surface, e.to, x) - a, v = placed(surface, f.to, x) - b, across = u.cross(v);
+  const double square = across.squaredNorm(), s = across.dot(v.cross(d)), t = across.dot(u.cross(d));
+  if (!(std::min(s, t) > 0 && std::max(s, t) < square)) return -1;
+  return -std::copysign(1.0, across.dot(candidate.normal)) * across.stableNormalized().dot(d);
+}
+
+}  // namespace
+
+bool StepEnd::isAsReckoned(const ContactSurface& surface, const std::vector<Candidate>& candidates,
+                           Span<const Vec3> moved, double share, const std::vector<Vec3>& x, NearPairs* pairs,
+                           int threads) {
+  suspects_.clear();
+  pieces_.clear();
+  for (int i = 0; i < moved.size(); ++i) {
+    const Candidate& candidate = candidates[i];
+    const double more = share * DEEPER * candidate.size;
+    if (!candidate.isOfBody() || moved[i].squaredNorm() < more * more) continue;
+    const double reckoned = -candidate.gap - candidate.normal.dot(moved[i]);
+    const double allowed = more + std::max(reckoned, candidate.ignored);
+    if (candidate.partner == Candidate::EDGES) {
+      if (depthOfEdges(surface, candidate, x) > allowed) return false;
+      continue;
+    }
+    const int piece = surface.piece[candidate.triangle];
+    if (piece == surface.vertex_piece[surface.samples[candidate.sample].vertex]) continue;
+    if (depthBehind(surface, candidate, x) <= allowed) continue;
+    suspects_.emplace_back(i, allowed);
+    pieces_.push_back(piece);
+  }
+  if (suspects_.empty()) return true;
+  sortOnce(&pieces_);
+  interpolate(*surface.surface, x, threads, &x_);
+  const PieceTrees& trees = pairs->placeTreesElsewhere(surface, x_, pieces_, threads);
+  return std::none_of(suspects_.begin(), suspects_.end(), [&](const auto& suspect) {
+    const Candidate& candidate = candidates[suspect.first];
+    const int vertex = surface.samples[candidate.sample].vertex;
+    return insideOf(surface, x_, vertex, trees, surface.piece[candidate.triangle]).depth > suspect.second;
+  });
+}
+
+}  // namespace incision
