@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "incision/base/parallel.h"
+#include "incision/contact/skin_in_step.h"
 #include "incision/contact/touch_places.h"
 
 namespace incision {
