@@ -6,15 +6,10 @@ namespace incision {
 
 BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obstacles,
                          const std::vector<RigidMotion>& motions, ContactSkin* skin)
-    : Contact(settings.friction, skin),
-      self_(settings.self),
-      obstacles_(obstacles),
-      motions_(motions),
-      body_skin_(*skin) {}
+    : Contact(settings.friction, skin), self_(settings.self), obstacles_(obstacles), motions_(motions) {}
 
 bool BodyContact::holds(const StepSpan& span, Span<const Vec3> moved, const Motion& end) {
-  return fragments_.isAsReckoned(body_skin_.surface(), candidates(), moved, span.to - span.from, end.x,
-                                 body_skin_.threads());
+  return fragments_.isAsReckoned(skin().surface(), candidates(), moved, span.to - span.from, end.x, skin().threads());
 }
 
 void BodyContact::addWrenches(Span<const Vec3> impulses, Span<const Vec3> levers, double time, Wrench* ground,

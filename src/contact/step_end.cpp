@@ -13,26 +13,23 @@ namespace {
 /// What the contacts of a step may be deeper at its end than was reckoned, in elements. A part of a step has its share.
 constexpr double DEEPER = 0.03;
 
-Vec3 placed(const ContactSurface& surface, int vertex, const std::vector<Vec3>& x) {
-  const SurfaceVertex& v = surface.surface->vertices[vertex];
-  Vec3 sum = Vec3::Zero();
-  for (int k = 0; k < 4; ++k) sum += v.weights[k] * x[v.copies[k]];
-  return sum;
+Vec3 vertexAt(const ContactSurface& surface, int vertex, const std::vector<Vec3>& x) {
+  return positionOf(surface.surface->vertices[vertex], x);
 }
 
 /// How far behind the plane of its face the vertex of a candidate is [m].
 double depthBehind(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
   const auto& [i, j, k] = surface.surface->triangles[candidate.triangle];
-  const Vec3 a = placed(surface, i, x), b = placed(surface, j, x), c = placed(surface, k, x);
-  const Vec3 p = placed(surface, surface.samples[candidate.sample].vertex, x);
+  const Vec3 a = vertexAt(surface, i, x), b = vertexAt(surface, j, x), c = vertexAt(surface, k, x);
+  const Vec3 p = vertexAt(surface, surface.samples[candidate.sample].vertex, x);
   return (b - a).cross(c - a).stableNormalized().dot(a - p);
 }
 
 /// How deep two edges that still cross are in each other [m]; below zero where they do not.
 double depthOfEdges(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
   const ContactSurface::Edge &e = surface.edges[candidate.sample], &f = surface.edges[candidate.other];
-  const Vec3 a = placed(surface, e.from, x), b = placed(surface, f.from, x), d = a - b;
-  const Vec3 u = placed(surface, e.to, x) - a, v = placed(surface, f.to, x) - b, across = u.cross(v);
+  const Vec3 a = vertexAt(surface, e.from, x), b = vertexAt(surface, f.from, x), d = a - b;
+  const Vec3 u = vertexAt(surface, e.to, x) - a, v = vertexAt(surface, f.to, x) - b, across = u.cross(v);
   const double square = across.squaredNorm(), s = across.dot(v.cross(d)), t = across.dot(u.cross(d));
   if (!(std::min(s, t) > 0 && std::max(s, t) < square)) return -1;
   return -std::copysign(1.0, across.dot(candidate.normal)) * across.stableNormalized().dot(d);

@@ -212,19 +212,10 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
   times_.solve = millisecondsSince(start) - times_.assembly;
 
   const auto updating = std::chrono::steady_clock::now();
-  if (!solved || !allFinite(dv_) || (couplers && !takeChange(*motion))) {
+  if (!solved || !allFinite(dv_) || (couplers && !takeChange(*motion, couplers))) {
     giveUp();
     rotated_ = false;
     return false;
-  }
-  if (couplers) {
-    motion_ahead_ = *motion;
-    rigid_.finish(base_, dv_, &motion_ahead_);
-    if (demand == StepDemand::SOUND && !couplers->hold(newton_.moved(), motion_ahead_)) {
-      giveUp();
-      rotated_ = false;
-      return false;
-    }
   }
   rotated_ = false;
   remember();
@@ -243,12 +234,16 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
   return true;
 }
 
-/// Returns whether the step is what is demanded.
-bool ImplicitStep::takeChange(const Motion& start) {
+/// Finds where the copies go. Returns whether the step is what is demanded.
+bool ImplicitStep::takeChange(const Motion& start, Couplers* couplers) {
   balanceMomentum(true, &dv_);
   rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x, mostTurn());
+  if (turnsTooFar()) return false;
+  motion_ahead_ = start;
+  rigid_.finish(base_, dv_, &motion_ahead_);
   const SolveStats& stats = newton_.stats();
-  return (demand_ != StepDemand::SOUND || stats.settled || stats.cut_short) && !turnsTooFar();
+  return demand_ != StepDemand::SOUND ||
+         ((stats.settled || stats.cut_short) && couplers->hold(newton_.moved(), motion_ahead_));
 }
 
 /// Where a step is taken as well as it goes, a piece turns no farther than this all the same [rad]: what drives it is

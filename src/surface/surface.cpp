@@ -123,12 +123,8 @@ std::vector<Vec3> surfacePositions(const Surface& surface, const std::vector<Vec
 
 void interpolate(const Surface& surface, const std::vector<Vec3>& x, int threads, std::vector<Vec3>* result) {
   result->resize(surface.vertices.size());
-  parallelFor(static_cast<int>(result->size()), threads, [&](int i) {
-    const SurfaceVertex& vertex = surface.vertices[i];
-    Vec3 sum = Vec3::Zero();
-    for (int k = 0; k < 4; ++k) sum += vertex.weights[k] * x[vertex.copies[k]];
-    (*result)[i] = sum;
-  });
+  parallelFor(static_cast<int>(result->size()), threads,
+              [&](int i) { (*result)[i] = positionOf(surface.vertices[i], x); });
 }
 
 double enclosedVolume(const Surface& surface, const std::vector<Vec3>& positions) {

@@ -32,7 +32,6 @@ class BodyContact : public Contact {
   const Obstacles& obstacles_;
   const std::vector<RigidMotion>& motions_;
   FragmentFinder fragments_;
-  const ContactSkin& body_skin_;
 };
 
 }  // namespace incision

@@ -44,6 +44,8 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   virtual void find(const ContactSkin& skin, const StepStart& start, const std::vector<Touch>& touches,
                     std::vector<Candidate>* candidates) = 0;
 
+  const ContactSkin& skin() const { return *skin_; }
+
   /// Of the step, in the order of their springs.
   const std::vector<Candidate>& candidates() const { return candidates_; }
 

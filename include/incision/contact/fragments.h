@@ -41,13 +41,13 @@ class FragmentFinder {
     int piece;
   };
 
-  void measure(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads);
   /// What the faces of a pair meet.
   struct FacesIn {
     std::vector<Found> found;
     std::vector<Span<const NearPairs::SampleTriangle>> deep;  ///< samples with what is near them, to be looked at twice
   };
 
+  void measure(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads);
   void findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
                  FacesIn* faces) const;
   void findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, std::size_t pairs, int threads);

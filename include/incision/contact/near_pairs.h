@@ -11,9 +11,9 @@
 namespace incision {
 
 /// Which samples may meet which triangles, being above or below them, and which edges, of two pieces, or of one and
-/// itself, in a step. What was
-/// found stays as long as the two have moved relative to each other by less than the search looked beyond its reach: it
-/// holds all that is within reach, and more, so that it makes no difference when the search was.
+/// itself, in a step. What was found stays as long as the two have moved relative to each other by less than the search
+/// looked beyond its reach: it holds all that is within reach, and more, so that it makes no difference when the search
+/// was.
 class NearPairs {
  public:
   struct SampleTriangle {
@@ -47,7 +47,8 @@ class NearPairs {
   const PieceTrees& placeTrees(const ContactSurface& surface, const std::vector<Vec3>& x,
                                const std::vector<int>& pieces, int threads);
 
-  /// The same at other positions; those of the step are lost.
+  /// The trees, after these pieces, ascending, have been placed at other positions of the vertices than those of the
+  /// step [m]: placeTrees then places again what it is asked for.
   const PieceTrees& placeTreesElsewhere(const ContactSurface& surface, const std::vector<Vec3>& x,
                                         const std::vector<int>& pieces, int threads);
 

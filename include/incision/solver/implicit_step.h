@@ -158,7 +158,7 @@ class ImplicitStep : private StepEquations {
   void keepSolver(Memory* memory) const;
   void makeFallback();
   void balanceMomentum(bool coupled, std::vector<Vec3>* dv);
-  bool takeChange(const Motion& start);
+  bool takeChange(const Motion& start, Couplers* couplers);
   double mostTurn() const;
   bool turnsTooFar() const;
   void remember();

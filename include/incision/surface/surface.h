@@ -34,6 +34,13 @@ struct Surface {
 /// side.
 Surface buildSurface(const CutMesh& mesh);
 
+/// Where a vertex is with the copies at `x` [m]: its row of W x.
+inline Vec3 positionOf(const SurfaceVertex& vertex, const std::vector<Vec3>& x) {
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k < 4; ++k) sum += vertex.weights[k] * x[vertex.copies[k]];
+  return sum;
+}
+
 /// W x for the copies' positions `x` [m]; the second form takes any vectors at the copies, up to `threads` threads, and
 /// the memory that `result` has.
 std::vector<Vec3> surfacePositions(const Surface& surface, const std::vector<Vec3>& x);
