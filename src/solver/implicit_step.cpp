@@ -237,8 +237,7 @@ bool ImplicitStep::advance(double time, Motion* motion, Couplers* couplers, Step
 /// Finds where the copies go. Returns whether the step is what is demanded.
 bool ImplicitStep::takeChange(const Motion& start, Couplers* couplers) {
   balanceMomentum(true, &dv_);
-  rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x, mostTurn());
-  if (turnsTooFar()) return false;
+  if (!rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x, turnLimits())) return false;
   motion_ahead_ = start;
   rigid_.finish(base_, dv_, &motion_ahead_);
   const SolveStats& stats = newton_.stats();
@@ -246,14 +245,12 @@ bool ImplicitStep::takeChange(const Motion& start, Couplers* couplers) {
          ((stats.settled || stats.cut_short) && couplers->hold(newton_.moved(), motion_ahead_));
 }
 
-/// Where a step is taken as well as it goes, a piece turns no farther than this all the same [rad]: what drives it is
-/// reckoned along a chord, and would give it energy without bounds.
-double ImplicitStep::mostTurn() const {
-  return demand_ == StepDemand::ANY ? FAR_TURN : std::numeric_limits<double>::infinity();
+/// Where a step is taken as well as it goes, a piece turns no farther all the same: what drives it is reckoned along a
+/// chord, and would give it energy without bounds.
+TurnLimits ImplicitStep::turnLimits() const {
+  constexpr double NONE = std::numeric_limits<double>::infinity();
+  return demand_ == StepDemand::ANY ? TurnLimits{FAR_TURN, NONE} : TurnLimits{NONE, FAR_TURN};
 }
-
-/// Whether that is not what is demanded.
-bool ImplicitStep::turnsTooFar() const { return demand_ != StepDemand::ANY && rigid_.farthestTurn() > FAR_TURN; }
 
 /// The memory is as it was before the step; nothing that is not finite is left in the scratch.
 void ImplicitStep::giveUp() {

@@ -86,7 +86,7 @@ void RigidPieces::measure(const Assembly& assembly, const Motion& motion) {
 /// Twice the mean rate is that at the start and that at the end; there the body has turned by Q and L is as it was.
 /// What turns far in a step takes as many short ones: the energy of a spin is that of the angle between L and the body.
 RigidPieces::Turn RigidPieces::turnOf(const Body& body, double time_step) {
-  const Mat3 J = 0.5 * (body.inertia + body.inertia.transpose()), inverse = pseudoInverse(J);
+  const Mat3 J = body.symmetricInertia(), inverse = pseudoInverse(J);
   const Vec3 rate = inverse * body.spin;
   Turn turn{inverse, Mat3::Identity(), rate, rate, Vec3::Zero()};
   const auto turned = [&](const Mat3& A, const Vec3& b) -> Vec3 {
@@ -105,6 +105,11 @@ RigidPieces::Turn RigidPieces::turnOf(const Body& body, double time_step) {
   turn.ends = turned(inverse, body.spin);
   turn.change = -turned(inverse, turn.ends.cross(turned(J, turn.ends)));
   return turn;
+}
+
+/// How far a body turns at the rate that it starts with [rad]: what turnOf takes short turns for.
+double RigidPieces::angleOf(const Body& body, double time_step) {
+  return time_step * (pseudoInverse(body.symmetricInertia()) * body.spin).norm();
 }
 
 void RigidPieces::findTurns(double time_step, std::vector<Turn>* turns) const {
@@ -139,8 +144,8 @@ Vec3 RigidPieces::moveAlong(std::size_t copy, const Vec3& x, StepBase* base) con
   return Qr;
 }
 
-void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses,
-                       StepBase* base, std::vector<Vec3>* given, double most_turn) {
+bool RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses,
+                       StepBase* base, std::vector<Vec3>* given, const TurnLimits& limits) {
   kicks_.assign(free_.size(), Kick());
   given->assign(x.size(), Vec3::Zero());
   for (std::size_t c = 0; c < x.size(); ++c) {
@@ -159,9 +164,10 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
     const Vec3 spin = body.spin;
     for (double share = 1;; share = share > LEAST_SHARE ? share / 2 : 0) {
       body.spin = spin + share * kick.spin;
+      const double angle = angleOf(body, time_step_);
+      if (angle > limits.refused) return false;
+      if (angle > limits.most && share > 0) continue;
       turns_[piece] = turnOf(body, time_step_);
-      kick.turn = time_step_ * turns_[piece].rate.norm();
-      if (kick.turn > most_turn && share > 0) continue;
       kick.momentum *= share;
       kick.spin *= share;
       break;
@@ -184,10 +190,11 @@ void RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
   } else {
     for (std::size_t c = 0; c < x.size(); ++c) (*given)[c] *= assembly.masses()[c];
   }
+  return true;
 }
 
-void RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
-                             const std::vector<Vec3>& impulses, const std::vector<Vec3>& x, double most_turn) {
+bool RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
+                             const std::vector<Vec3>& impulses, const std::vector<Vec3>& x, const TurnLimits& limits) {
   findKicks(assembly, base, dv, impulses, x);
   for (std::size_t piece = 0; piece < kicks_.size(); ++piece) {
     Kick& kick = kicks_[piece];
@@ -198,19 +205,12 @@ void RigidPieces::takeChange(const Assembly& assembly, const StepBase& base, con
     kick.rate = turns_[piece].rateOf(kick.spin);
     body.velocity += kick.velocity;
     body.spin += kick.spin + kick.at_start - kick.at_end;
+    const double angle = angleOf(body, time_step_);
+    if (angle > limits.refused) return false;
+    if (!(angle <= limits.most)) body.spin *= limits.most / angle;
     kicked_turns_[piece] = turnOf(body, time_step_);
-    kick.turn = time_step_ * kicked_turns_[piece].rate.norm();
-    if (kick.turn <= most_turn) continue;
-    body.spin *= most_turn / kick.turn;
-    kicked_turns_[piece] = turnOf(body, time_step_);
-    kick.turn = most_turn;
   }
-}
-
-double RigidPieces::farthestTurn() const {
-  double farthest = 0;
-  for (const Kick& kick : kicks_) farthest = std::max(farthest, kick.turn);
-  return farthest;
+  return true;
 }
 
 void RigidPieces::finish(const StepBase& base, const std::vector<Vec3>& dv, Motion* motion) const {

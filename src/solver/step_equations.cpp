@@ -54,8 +54,7 @@ int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>&
 }
 
 bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {
-  rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_, mostTurn());
-  if (turnsTooFar()) return false;
+  if (!rigid_.kick(assembly_, *start_x_, impulses, &base_, &given_, turnLimits())) return false;
   findAhead(*start_x_);
   rotate(base_.x);
   lag_.clear();

@@ -159,8 +159,7 @@ class ImplicitStep : private StepEquations {
   void makeFallback();
   void balanceMomentum(bool coupled, std::vector<Vec3>* dv);
   bool takeChange(const Motion& start, Couplers* couplers);
-  double mostTurn() const;
-  bool turnsTooFar() const;
+  TurnLimits turnLimits() const;
   void remember();
   void giveUp();
   LinearSolver* current() const { return memory_.fallback_steps > 0 ? fallback_.get() : solver_.get(); }

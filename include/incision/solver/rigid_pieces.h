@@ -16,6 +16,12 @@ struct StepBase {
   std::vector<Vec3> u;  ///< their velocity beside the rigid motion [m/s]
 };
 
+/// How far pieces that couplers act on may turn in a step, at the rate that they start with [rad].
+struct TurnLimits {
+  double most;     ///< so far they are let turn
+  double refused;  ///< a step in which one turns farther is not taken
+};
+
 /// The rigid motion of free pieces. A step linearised about its start leaves the circle on its tangent; so each piece
 /// that no clamp holds is first moved as the rigid body with its mass, momentum and spin, and the equation of the step
 /// has only what deforms on top. Pieces that are held, and all pieces without warping, have x̂ = x, v̂ = 0, u = v.
@@ -40,20 +46,19 @@ class RigidPieces {
 
   /// Gives the free pieces these impulses on copies [N s], as if at the start, when the copies were at `x` [m]: the
   /// base is then that of the momentum and spin which they leave. `given` is what each copy has of these [N s]. A piece
-  /// that would turn by more than `most_turn` [rad] gets a share of its impulses.
-  void kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses, StepBase* base,
-            std::vector<Vec3>* given, double most_turn);
+  /// that would turn farther than `limits.most` gets a share of its impulses. Returns false, with nothing of use in the
+  /// base, where one turns farther than is taken.
+  bool kick(const Assembly& assembly, const std::vector<Vec3>& x, const std::vector<Vec3>& impulses, StepBase* base,
+            std::vector<Vec3>* given, const TurnLimits& limits);
 
   /// The Δv of a step of implicit Euler from copies at `x` [m], of which couplers have given the impulses [N s]. Pieces
   /// that couplers have acted on go as if they had done so at the start: as the rigid body with the momentum and spin
   /// that it has then, and with what deforms turned along. So a piece that an impact sets spinning does not leave the
   /// circle on its tangent either, and what couplers do is no more than the energy that they have: the chord of a turn
-  /// is shorter than its tangent at the start. A piece that would turn by more than `most_turn` [rad] loses spin.
-  void takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
-                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x, double most_turn);
-  /// How far the piece turns the most among those that couplers have acted on, by the last of `kick` and `takeChange`,
-  /// at the rate that it starts with [rad].
-  double farthestTurn() const;
+  /// is shorter than its tangent at the start. A piece that would turn farther than `limits.most` loses spin. Returns
+  /// false where one turns farther than is taken.
+  bool takeChange(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
+                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x, const TurnLimits& limits);
   /// Where copies end with the change taken last: the base and Δv but for the pieces said above.
   void finish(const StepBase& base, const std::vector<Vec3>& dv, Motion* motion) const;
 
@@ -77,6 +82,7 @@ class RigidPieces {
     double mass;
     Vec3 centre, velocity, spin;  // c [m], V [m/s], L [kg m²/s]
     Mat3 inertia;                 // J [kg m²]
+    Mat3 symmetricInertia() const { return 0.5 * (inertia + inertia.transpose()); }
   };
   /// A rigid motion over a step.
   struct Turn {
@@ -97,7 +103,6 @@ class RigidPieces {
   /// What a piece gets in a step.
   struct Kick {
     bool is_coupled = false;
-    double turn = 0;                                    // in the step, at the rate that it starts with [rad]
     Vec3 momentum = Vec3::Zero(), spin = Vec3::Zero();  // by Δv at x̂
     Vec3 at_start = Vec3::Zero();                       // of the couplers' impulses, spin by the levers at the start
     Vec3 at_end = Vec3::Zero();                         // by those at x̂
@@ -109,6 +114,7 @@ class RigidPieces {
   void findKicks(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
                  const std::vector<Vec3>& impulses, const std::vector<Vec3>& x);
   static Turn turnOf(const Body& body, double time_step);
+  static double angleOf(const Body& body, double time_step);
   void findTurns(double time_step, std::vector<Turn>* turns) const;
 
   std::vector<int> piece_;  // of each copy
