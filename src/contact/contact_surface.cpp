@@ -60,18 +60,22 @@ struct Side {
   int from, to, opposite, triangle;
 };
 
-/// The sides of all edges, those of one edge together, by its first vertex.
-std::vector<Side> sidesOfEdges(const Surface& surface) {
-  std::vector<Side> sides;
-  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const auto& triangle = surface.triangles[t];
-      const int a = triangle[k], b = triangle[(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), triangle[(k + 2) % 3], t});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::make_tuple(a.from, a.to, a.triangle) < std::make_tuple(b.from, b.to, b.triangle);
+/// The sides of all edges by their first vertices, those of one edge together.
+Lists<Side> sidesOfEdges(const Surface& surface) {
+  Lists<Side> sides;
+  sides.sort(static_cast<int>(surface.vertices.size()), [&](const auto& add) {
+    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const auto& triangle = surface.triangles[t];
+        const int a = triangle[k], b = triangle[(k + 1) % 3];
+        add(std::min(a, b), Side{std::min(a, b), std::max(a, b), triangle[(k + 2) % 3], t});
+      }
   });
+  for (int v = 0; v < sides.count(); ++v) {
+    const Span<Side> of_vertex = sides[v];
+    std::sort(of_vertex.begin(), of_vertex.end(),
+              [](const Side& a, const Side& b) { return std::tie(a.to, a.triangle) < std::tie(b.to, b.triangle); });
+  }
   return sides;
 }
 
@@ -82,7 +86,8 @@ bool isSharp(const ContactSurface& surface, const Side& one, const Side& other) 
 }
 
 void addEdges(ContactSurface* surface) {
-  const std::vector<Side> sides = sidesOfEdges(*surface->surface);
+  const Lists<Side> of_vertices = sidesOfEdges(*surface->surface);
+  const std::vector<Side>& sides = of_vertices.values();
   const auto same = [](const Side& a, const Side& b) { return a.from == b.from && a.to == b.to; };
   surface->edge_start.assign(surface->rest.size() + 1, 0);
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
@@ -125,38 +130,38 @@ class Builder {
       const Span<const int> around = std::as_const(triangles_at)[v];
       made_.size[v] /= std::max(1, around.size());
       made_.sample_start.push_back(static_cast<int>(made_.samples.size()));
-      addSamples(v, {around.begin(), around.end()});
+      left_.assign(around.begin(), around.end());
+      while (!left_.empty()) addSample(v);
     }
     made_.sample_start.push_back(static_cast<int>(made_.samples.size()));
   }
 
  private:
-  /// Takes the triangles one after the other into the first side they are flat with.
-  void addSamples(int vertex, std::vector<int> triangles) {
-    while (!triangles.empty()) {
-      ContactSurface::Sample sample{vertex, static_cast<int>(made_.around.size()), 0, 0};
-      Vec3 sum = Vec3::Zero();
-      const bool cut = made_.surface->cut_face[triangles.front()];
-      std::vector<int> others;
-      for (int t : triangles) {
-        const Vec3& a = areas_[t];
-        const bool flat = sum.isZero(0) || a.dot(sum) > MIN_COSINE * a.norm() * sum.norm();
-        if (made_.surface->cut_face[t] != cut || !flat) {
-          others.push_back(t);
-          continue;
-        }
-        sum += a;
-        sample.area += a.norm() / 3;
-        made_.around.push_back(t);
+  /// Takes of the triangles that are left, one after the other, those into a sample that are flat with it so far.
+  void addSample(int vertex) {
+    ContactSurface::Sample sample{vertex, static_cast<int>(made_.around.size()), 0, 0};
+    Vec3 sum = Vec3::Zero();
+    const bool cut = made_.surface->cut_face[left_.front()];
+    std::size_t others = 0;
+    for (int t : left_) {
+      const Vec3& a = areas_[t];
+      const bool flat = sum.isZero(0) || a.dot(sum) > MIN_COSINE * a.norm() * sum.norm();
+      if (made_.surface->cut_face[t] != cut || !flat) {
+        left_[others++] = t;
+        continue;
       }
-      sample.last = static_cast<int>(made_.around.size());
-      if (sample.area > 0) made_.samples.push_back(sample);
-      triangles = std::move(others);
+      sum += a;
+      sample.area += a.norm() / 3;
+      made_.around.push_back(t);
     }
+    left_.resize(others);
+    sample.last = static_cast<int>(made_.around.size());
+    if (sample.area > 0) made_.samples.push_back(sample);
   }
 
   ContactSurface& made_;
   std::vector<Vec3> areas_;
+  std::vector<int> left_;  // triangles round a vertex that are in no sample yet
 };
 
 }  // namespace

@@ -140,14 +140,14 @@ struct Nearest {
 
 /// The nearest place where a sample meets one of the triangles near it. What is deep must be inside, as the `trees`
 /// tell where there are any, or have been on that side; that is preferred then.
-Nearest nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches,
-                    Span<const NearPairs::SampleTriangle> near, bool of_one_piece, const PieceTrees* trees) {
+Nearest nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches, Span<const SampleTriangle> near,
+                    bool of_one_piece, const PieceTrees* trees) {
   const ContactSurface& surface = skin.surface;
   const int sample = near[0].sample, vertex = surface.samples[sample].vertex;
   std::optional<Inside> inside;
   std::optional<FaceMeeting> best;
   bool best_known = false;
-  for (const NearPairs::SampleTriangle& at : near) {
+  for (const SampleTriangle& at : near) {
     const std::optional<FaceMeeting> met = meetFace(skin, sample, at.triangle);
     if (!met || (of_one_piece && isOnePoint(between(surface, *met)))) continue;
     bool side_known = false;
@@ -171,7 +171,7 @@ Nearest nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches,
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
                           const std::vector<Touch>& touches, int threads, std::vector<Candidate>* candidates) {
-  if (std::exchange(changed_, false)) pairs_.surfaceChanged(surface);
+  if (std::exchange(changed_, false)) pairs_.surfaceChanged(surface, x);
   pairs_.update(surface, x, ahead, REACH, threads);
   measure(surface, x, ahead, threads);
   const SkinInStep skin{surface, x, ahead, normals_, end_normals_, sample_normals_};
@@ -216,7 +216,7 @@ void FragmentFinder::findFaces(const SkinInStep& skin, const std::vector<Touch>&
                                FacesIn* faces) const {
   faces->found.clear();
   faces->deep.clear();
-  const NearPairs::SampleTriangle *first = pair.faces.data(), *const end = first + pair.faces.size();
+  const SampleTriangle *first = pair.faces.data(), *const end = first + pair.faces.size();
   for (const auto* last = first; first != end; first = last) {
     while (last != end && last->sample == first->sample) ++last;
     const Nearest nearest = nearestFace(skin, touches, {first, last}, pair.a == pair.b, nullptr);
@@ -230,12 +230,12 @@ void FragmentFinder::findDeepFaces(const SkinInStep& skin, const std::vector<Tou
                                    int threads) {
   deep_in_.clear();
   for (std::size_t i = 0; i < pairs; ++i)
-    for (const Span<const NearPairs::SampleTriangle>& near : faces_in_[i].deep)
+    for (const Span<const SampleTriangle>& near : faces_in_[i].deep)
       deep_in_.push_back(skin.surface.piece[near[0].triangle]);
   sortOnce(&deep_in_);
   const PieceTrees& trees = pairs_.placeTrees(skin.surface, skin.x, deep_in_, threads);
   parallelFor(static_cast<int>(pairs), threads, [&](int i) {
-    for (const Span<const NearPairs::SampleTriangle>& near : faces_in_[i].deep)
+    for (const Span<const SampleTriangle>& near : faces_in_[i].deep)
       if (const Nearest nearest = nearestFace(skin, touches, near, false, &trees); nearest.met)
         faces_in_[i].found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
   });

@@ -1,14 +1,11 @@
 #include "incision/contact/near_pairs.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "incision/base/parallel.h"
 #include "incision/base/sort_once.h"
-#include "incision/contact/skin_in_step.h"
 
 namespace incision {
 namespace {
@@ -30,70 +27,59 @@ constexpr double SHAPE_SHARE = 0.2;
 /// and so nearer to each other than they are at either end, by up to so much with a turn of a radian.
 constexpr double TURNING = 1.15;
 
-/// At rest closer than this, in elements, two points of a piece are neighbours, and what lies behind is material.
-constexpr double NEAR_AT_REST = 3;
-
-/// Gaps at rest, in elements, that are rounding: faces born together.
-constexpr double SAME_PLANE = 1e-6;
-
-/// At rest closer than this, in elements, two points of one flat side do not meet: it would have to fold in between.
-constexpr double BESIDE_AT_REST = 1.5;
-
-/// The cosine of the angle between triangles of one flat side is more.
-constexpr double ONE_SIDE = 0.7;
-
-/// Whether a sample and a triangle of one piece never meet: there was material in between at rest, behind the triangle,
-/// or they lie beside each other.
-bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sample, int triangle) {
-  const Vec3 from = surface.rest[sample.vertex] - surface.rest[surface.surface->triangles[triangle][0]];
-  const double size = surface.size[sample.vertex], distance = from.norm();
-  if (distance >= NEAR_AT_REST * size) return false;
-  const Vec3 N = restArea(surface, triangle);
-  if (N.dot(from) < -SAME_PLANE * size * N.norm()) return true;
-  const Vec3 M = restArea(surface, surface.around[sample.first]);
-  return distance < BESIDE_AT_REST * size && N.dot(M) > ONE_SIDE * N.norm() * M.norm();
-}
-
-/// Whether a point is at most so far from a triangle's plane [m], and as seen along its normal beside no edge by more
-/// than `aside` [m] and the triangle's rim.
-bool isAbove(const std::array<Vec3, 3>& triangle, const Vec3& p, double further, double aside) {
-  const auto& [a, b, c] = triangle;
-  const Vec3 n = (b - a).cross(c - a);
-  const double square = n.squaredNorm(), length = std::sqrt(square);
-  if (std::abs(n.dot(p - a)) > further * length) return false;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 &from = triangle[k], edge = triangle[(k + 1) % 3] - from;
-    // The weight of the third corner times n², and what an edge so far away changes of that.
-    if (edge.cross(p - from).dot(n) < -RIM * square - aside * edge.norm() * length) return false;
-  }
-  return true;
-}
-
-Eigen::AlignedBox3d boxOf(const ContactSurface::Edge& edge, const std::vector<Vec3>& x) {
-  return Eigen::AlignedBox3d(x[edge.from]).extend(x[edge.to]);
-}
-
 }  // namespace
 
-void NearPairs::surfaceChanged(const ContactSurface& surface) {
-  frames_.surfaceChanged(surface);
-  trees_.build(surface);
-  const int triangles = static_cast<int>(surface.piece.size());
-  has_area_.resize(triangles);
-  for (int t = 0; t < triangles; ++t) has_area_[t] = hasAreaAtRest(surface, t);
-  samples_of_.sort(triangles, [&](const auto& add) {
-    for (std::size_t s = 0; s < surface.samples.size(); ++s)
-      add(surface.around[surface.samples[s].first], static_cast<int>(s));
-  });
-  edges_of_.sort(triangles, [&](const auto& add) {
-    for (std::size_t e = 0; e < surface.edges.size(); ++e) add(surface.edges[e].triangle, static_cast<int>(e));
-  });
+void NearPairs::surfaceChanged(const ContactSurface& surface, const std::vector<Vec3>& x) {
+  const SurfaceMatch known = match(outline_, static_cast<int>(pairs_.size()), surface);
+  outline_ = SurfaceOutline(surface);
+  frames_.surfaceChanged(surface, known, x);
+  fresh_.surfaceChanged(surface, known);
+  has_trees_ = false;
   base_margin_ = FURTHER * surface.mean_size;
   margin_of_one_ = FURTHER_IN_ONE * surface.mean_size;
-  searches_ = 0;
-  pairs_.clear();
-  pairs_.resize(surface.pieces);
   active_.clear();
+  keepPairs(surface.pieces, known);
+}
+
+/// Of pieces that are still there, and have little that is fresh.
+void NearPairs::keepPairs(int pieces, const SurfaceMatch& known) {
+  const auto before = std::exchange(pairs_, std::vector<std::vector<std::unique_ptr<Pair>>>(pieces));
+  const auto isKept = [&](int piece) {
+    return piece >= 0 && frames_.pieces()[piece].is_followed && fresh_.isLittle(piece);
+  };
+  for (const auto& of_piece : before)
+    for (const std::unique_ptr<Pair>& pair : of_piece) {
+      if (pair->is_incomplete || !isKept(known.pieces[pair->a]) || !isKept(known.pieces[pair->b])) continue;
+      auto kept = std::make_unique<Pair>(std::move(*pair));
+      renumber(known, kept.get());
+      pairs_[kept->a].push_back(std::move(kept));
+    }
+  for (auto& of_piece : pairs_)
+    std::sort(of_piece.begin(), of_piece.end(), [](const auto& p, const auto& q) { return p->b < q->b; });
+}
+
+void NearPairs::renumber(const SurfaceMatch& known, Pair* pair) const {
+  pair->a = known.pieces[pair->a];
+  pair->b = known.pieces[pair->b];
+  std::vector<SampleTriangle> faces;
+  for (const SampleTriangle& at : pair->faces)
+    if (const int s = known.samples[at.sample], t = known.triangles[at.triangle]; s >= 0 && t >= 0)
+      faces.push_back({s, t});
+  std::vector<std::pair<int, int>> edges;
+  for (const auto& [e, f] : pair->edges)
+    if (known.edges[e] >= 0 && known.edges[f] >= 0) edges.emplace_back(known.edges[e], known.edges[f]);
+  pair->faces = std::move(faces);
+  pair->edges = std::move(edges);
+  if (pair->a > pair->b) {
+    std::swap(pair->a, pair->b);
+    std::swap(pair->from_a, pair->from_b);
+    for (auto& [e, f] : pair->edges) std::swap(e, f);
+  }
+  // Larger elements reach further than was looked.
+  const std::vector<PieceFrames::Piece>& pieces = frames_.pieces();
+  const double size = std::max(pieces[pair->a].size, pieces[pair->b].size);
+  pair->margin -= std::max(0.0, size / pair->size - 1) * pair->reach;
+  pair->is_incomplete = fresh_.any(pair->a) || fresh_.any(pair->b);
 }
 
 void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
@@ -102,6 +88,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
   findClosePieces(reach);
   active_.clear();
   stale_.clear();
+  incomplete_.clear();
   to_place_.clear();
   for (const auto& [a, b] : close_) {
     std::vector<std::unique_ptr<Pair>>& of_a = pairs_[a];
@@ -113,7 +100,10 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
       (*at)->b = b;
     }
     active_.push_back(at->get());
-    if (needed(**at) < (*at)->margin) continue;
+    if (needed(**at) < (*at)->margin) {
+      if ((*at)->is_incomplete) incomplete_.push_back(at->get());
+      continue;
+    }
     stale_.push_back(at->get());
     to_place_.insert(to_place_.end(), {a, b});
   }
@@ -123,11 +113,26 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
   shares_.clear();
   for (std::size_t i = 0; i < stale_.size(); ++i) startSearch(reach, i);
   searchShares(surface, x, threads);
+  addFresh(surface, x, threads);
   searches_ += static_cast<int>(stale_.size());
+}
+
+void NearPairs::buildTrees(const ContactSurface& surface) {
+  trees_.build(surface);
+  const int triangles = static_cast<int>(surface.piece.size());
+  samples_of_.sort(triangles, [&](const auto& add) {
+    for (std::size_t s = 0; s < surface.samples.size(); ++s)
+      add(surface.around[surface.samples[s].first], static_cast<int>(s));
+  });
+  edges_of_.sort(triangles, [&](const auto& add) {
+    for (std::size_t e = 0; e < surface.edges.size(); ++e) add(surface.edges[e].triangle, static_cast<int>(e));
+  });
+  has_trees_ = true;
 }
 
 const PieceTrees& NearPairs::placeTrees(const ContactSurface& surface, const std::vector<Vec3>& x,
                                         const std::vector<int>& pieces, int threads) {
+  if (!pieces.empty() && !has_trees_) buildTrees(surface);
   parallelFor(static_cast<int>(pieces.size()), threads, [&](int i) {
     if (!std::exchange(placed_[pieces[i]], true)) trees_.place(surface, x, pieces[i]);
   });
@@ -186,9 +191,11 @@ void NearPairs::startSearch(double reach, std::size_t stale) {
   pair->worn = a.worn + b.worn;
   pair->off = a.off[0] + b.off[0];
   pair->margin = (pair->a == pair->b ? margin_of_one_ : base_margin_) + needed(*pair);
-  pair->further = TURNING * (reach * std::max(a.size, b.size) + pair->margin);
-  pair->aside = TURNING * pair->margin;
-  for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->further, SHARES))
+  pair->size = std::max(a.size, b.size);
+  pair->reach = reach * pair->size;
+  pair->searched = {TURNING * (pair->reach + pair->margin), TURNING * pair->margin};
+  pair->is_incomplete = false;
+  for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->searched.further, SHARES))
     shares_.push_back({stale, nodes, {}, {}});
 }
 
@@ -197,15 +204,17 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
   parallelFor(static_cast<int>(shares_.size()), threads, [&](int i) {
     Share& share = shares_[i];
     const Pair& pair = *stale_[share.stale];
-    trees_.forEachClose(share.nodes, pair.further, [&](int t, int other) {
+    const bool of_one = pair.a == pair.b;
+    trees_.forEachClose(share.nodes, pair.searched.further, [&](int t, int other) {
       if (t == other) return;
-      addClose(surface, x, pair, t, other, &share.faces);
-      addClose(surface, x, pair, other, t, &share.faces);
-      if (pair.a == pair.b) return;
+      for (int s : samples_of_[t])
+        if (mayMeet(surface, x, s, other, pair.searched, of_one)) share.faces.push_back({s, other});
+      for (int s : samples_of_[other])
+        if (mayMeet(surface, x, s, t, pair.searched, of_one)) share.faces.push_back({s, t});
+      if (of_one) return;
       for (int e : edges_of_[t])
         for (int f : edges_of_[other])
-          if (areClose(boxOf(surface.edges[e], x), boxOf(surface.edges[f], x), pair.further))
-            share.edges.emplace_back(e, f);
+          if (mayMeetEdges(surface, x, e, f, pair.searched.further)) share.edges.emplace_back(e, f);
     });
   });
   for (const Share& share : shares_) {
@@ -213,30 +222,35 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
     pair->faces.insert(pair->faces.end(), share.faces.begin(), share.faces.end());
     pair->edges.insert(pair->edges.end(), share.edges.begin(), share.edges.end());
   }
-  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) {
-    Pair* const pair = stale_[i];
-    std::sort(pair->faces.begin(), pair->faces.end(), [](const SampleTriangle& s, const SampleTriangle& t) {
-      return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);
-    });
-    std::sort(pair->edges.begin(), pair->edges.end());
+  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) { stale_[i]->sort(); });
+}
+
+/// What has moved since the search can have come nearer by as much. Pairs that are not looked at in this step are
+/// searched when they are.
+void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
+  parallelFor(static_cast<int>(incomplete_.size()), threads, [&](int i) {
+    Pair* const pair = incomplete_[i];
+    const double more = TURNING * needed(*pair);
+    const Reach reach = {pair->searched.further + more, pair->searched.aside + more};
+    fresh_.addFaces(surface, x, pair->a, pair->b, reach, &pair->faces);
+    if (pair->a != pair->b) {
+      fresh_.addFaces(surface, x, pair->b, pair->a, reach, &pair->faces);
+      fresh_.addEdges(surface, x, pair->a, pair->b, reach.further, &pair->edges);
+    }
+    pair->sort();
+    pair->is_incomplete = false;
   });
 }
 
-/// Adds the samples that a triangle stands for and the other one, where they are above or below it, or may come there.
-void NearPairs::addClose(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair, int t, int other,
-                         std::vector<SampleTriangle>* faces) const {
-  if (!has_area_[other]) return;
-  const auto& [a, b, c] = surface.surface->triangles[other];
-  for (int s : samples_of_[t]) {
-    const int vertex = surface.samples[s].vertex;
-    if (vertex == a || vertex == b || vertex == c) continue;
-    const Vec3 lower = x[a].cwiseMin(x[b]).cwiseMin(x[c]), upper = x[a].cwiseMax(x[b]).cwiseMax(x[c]);
-    if ((lower.array() > x[vertex].array() + pair.further).any() ||
-        (upper.array() < x[vertex].array() - pair.further).any())
-      continue;
-    if (!isAbove({x[a], x[b], x[c]}, x[vertex], pair.further, pair.aside)) continue;
-    if (pair.a != pair.b || !staysApart(surface, surface.samples[s], other)) faces->push_back({s, other});
-  }
+/// What was kept mostly is in order, with what was found at its end.
+void NearPairs::Pair::sort() {
+  const auto by_sample = [](const SampleTriangle& s, const SampleTriangle& t) {
+    return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);
+  };
+  const auto unordered = std::is_sorted_until(faces.begin(), faces.end(), by_sample);
+  std::sort(unordered, faces.end(), by_sample);
+  std::inplace_merge(faces.begin(), unordered, faces.end(), by_sample);
+  std::sort(edges.begin(), edges.end());
 }
 
 }  // namespace incision

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "incision/base/parallel.h"
 #include "incision/fem/rotation.h"
@@ -26,6 +27,29 @@ double farthest(const Eigen::AlignedBox3d& shape, const Frame& of, const Frame& 
   return std::sqrt(most);
 }
 
+/// Fewer vertices do not tell how a piece is turned.
+constexpr int MIN_KNOWN = 4;
+
+/// The frame, near another one, that brings the points of a shape, shapeOf(i), best to where they are, at(i).
+template <typename ShapeOf, typename At>
+Frame fitted(const Frame& near, int count, const ShapeOf& shapeOf, const At& at) {
+  Vec3 way = Vec3::Zero(), mean = Vec3::Zero();  // of the points from near.centre, and of the shape
+  Mat3 F = Mat3::Zero();
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p = at(i) - near.centre, s = shapeOf(i);
+    way += p;
+    mean += s;
+    F += p * s.transpose();
+  }
+  way /= std::max(1, count);
+  mean /= std::max(1, count);
+  F -= count * way * mean.transpose();
+  Frame frame;
+  frame.turn = polarRotation(F, near.turn);
+  frame.centre = near.centre + way - frame.turn * mean;
+  return frame;
+}
+
 }  // namespace
 
 double movedApart(const PieceFrames::Piece& a, const PieceFrames::Piece& b, const Frame& from_a, const Frame& from_b,
@@ -34,13 +58,45 @@ double movedApart(const PieceFrames::Piece& a, const PieceFrames::Piece& b, cons
                   farthest(b.shape, from_b, from_a, b.frames[end], a.frames[end]));
 }
 
-void PieceFrames::surfaceChanged(const ContactSurface& surface) {
-  vertices_ = sortedByList(surface.vertex_piece, surface.pieces);
-  shape_.resize(vertices_.values().size());
-  pieces_.assign(surface.pieces, {});
+void PieceFrames::surfaceChanged(const ContactSurface& surface, const SurfaceMatch& known, const std::vector<Vec3>& x) {
+  const Lists<int> vertices_before = std::exchange(vertices_, sortedByList(surface.vertex_piece, surface.pieces));
+  const std::vector<Vec3> shape_before = std::exchange(shape_, std::vector<Vec3>(vertices_.values().size()));
+  const std::vector<Piece> pieces_before = std::exchange(pieces_, std::vector<Piece>(surface.pieces));
+  std::vector<const Vec3*> known_shape(surface.size.size(), nullptr);
+  for (std::size_t p = 0; p < pieces_before.size(); ++p) {
+    const int piece = known.pieces[p];
+    if (piece < 0 || !pieces_before[p].is_followed) continue;
+    pieces_[piece] = pieces_before[p];
+    pieces_[piece].size = 0;
+    for (int i = vertices_before.start(static_cast<int>(p)); i < vertices_before.start(static_cast<int>(p) + 1); ++i)
+      if (const int v = known.vertices[vertices_before.values()[i]]; v >= 0) known_shape[v] = &shape_before[i];
+  }
   for (std::size_t v = 0; v < surface.size.size(); ++v) {
     double& size = pieces_[surface.vertex_piece[v]].size;
     size = std::max(size, surface.size[v]);
+  }
+  for (int piece = 0; piece < surface.pieces; ++piece)
+    if (pieces_[piece].is_followed) goOn(x, known_shape, piece);
+}
+
+/// A piece that has other vertices than it had.
+void PieceFrames::goOn(const std::vector<Vec3>& x, const std::vector<const Vec3*>& known_shape, int piece) {
+  Piece& followed = pieces_[piece];
+  const Span<const int> vertices = std::as_const(vertices_)[piece];
+  std::vector<int> known;
+  for (int v : vertices)
+    if (known_shape[v]) known.push_back(v);
+  const int count = static_cast<int>(known.size());
+  followed.is_followed = count >= MIN_KNOWN;
+  if (!followed.is_followed) return;
+  const Frame frame = fitted(
+      followed.frames[0], count, [&](int i) { return *known_shape[known[i]]; }, [&](int i) { return x[known[i]]; });
+  followed.frames[0] = frame;
+  for (int i = 0; i < vertices.size(); ++i) {
+    const int v = vertices[i];
+    Vec3& s = shape_[vertices_.start(piece) + i];
+    s = known_shape[v] ? *known_shape[v] : Vec3(frame.turn.transpose() * (x[v] - frame.centre));
+    followed.shape.extend(s);
   }
 }
 
@@ -86,26 +142,18 @@ void PieceFrames::takeShape(const std::vector<Vec3>& x, int piece) {
   }
 }
 
-/// The rotation that fits best, from the last one on.
 void PieceFrames::fit(int piece, int end, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead) {
-  Piece& fitted = pieces_[piece];
+  Piece& followed = pieces_[piece];
   const Span<const int> vertices = std::as_const(vertices_)[piece];
   const Vec3* shape = shape_.data() + vertices_.start(piece);
-  const auto at = [&](int v) { return end == 0 ? x[v] : Vec3(x[v] + ahead[v]); };
-  Vec3 sum = Vec3::Zero();
-  Mat3 F = Mat3::Zero();
-  for (int i = 0; i < vertices.size(); ++i) {
-    const Vec3 p = at(vertices[i]) - fitted.frames[0].centre;
-    sum += p;
-    F += p * shape[i].transpose();
-  }
-  Frame& frame = fitted.frames[end];
-  frame.turn = polarRotation(F, frame.turn);
-  frame.centre = fitted.frames[0].centre + sum / std::max(1, vertices.size());
+  const auto at = [&](int i) { return end == 0 ? x[vertices[i]] : Vec3(x[vertices[i]] + ahead[vertices[i]]); };
+  Frame& frame = followed.frames[end];
+  frame = fitted(
+      frame, vertices.size(), [&](int i) -> const Vec3& { return shape[i]; }, at);
   double off = 0;
   for (int i = 0; i < vertices.size(); ++i)
-    off = std::max(off, (at(vertices[i]) - frame.centre - frame.turn * shape[i]).squaredNorm());
-  fitted.off[end] = std::sqrt(off);
+    off = std::max(off, (at(i) - frame.centre - frame.turn * shape[i]).squaredNorm());
+  followed.off[end] = std::sqrt(off);
 }
 
 }  // namespace incision

@@ -1,8 +1,9 @@
 #include "incision/surface/mesh_points.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include "incision/base/lists.h"
 
 namespace incision {
 namespace {
@@ -69,14 +70,19 @@ std::vector<MeshPoints::Corner> MeshPoints::locate(const CutMesh& mesh, const Ex
 }
 
 void MeshPoints::number(const std::vector<Corner>& corners) {
-  std::vector<int> by_carrier(corners.size());
-  std::iota(by_carrier.begin(), by_carrier.end(), 0);
-  std::sort(by_carrier.begin(), by_carrier.end(), [&](int i, int j) {
-    const Corner &a = corners[i], &b = corners[j];
-    return std::tie(a.point.nodes, a.part, a.index) < std::tie(b.point.nodes, b.part, b.index);
+  Lists<int> by_carrier;  // for each lowest node
+  by_carrier.sort(num_nodes_, [&](const auto& add) {
+    for (std::size_t i = 0; i < corners.size(); ++i) add(corners[i].point.nodes[0], static_cast<int>(i));
   });
+  for (int node = 0; node < num_nodes_; ++node) {
+    const Span<int> of_node = by_carrier[node];
+    std::sort(of_node.begin(), of_node.end(), [&](int i, int j) {
+      const Corner &a = corners[i], &b = corners[j];
+      return std::tie(a.point.nodes, a.part, a.index) < std::tie(b.point.nodes, b.part, b.index);
+    });
+  }
   const Corner* previous = nullptr;
-  for (int i : by_carrier) {
+  for (int i : by_carrier.values()) {
     const Corner& corner = corners[i];
     if (!previous || !corner.sharesCarrier(*previous)) carriers_.push_back({corner.point.nodes, count(), count()});
     previous = &corner;

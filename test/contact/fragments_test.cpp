@@ -29,12 +29,21 @@ struct Touching : Rig {
     return again();
   }
   // Once more, with positions that have changed since.
-  std::vector<Candidate> again() {
+  std::vector<Candidate> again() { return foundBy(&finder); }
+  // By one without any past, which has to search everything.
+  std::vector<Candidate> afresh() {
+    FragmentFinder other;
+    other.surfaceChanged();
+    const std::vector<Candidate> found = foundBy(&other);
+    searches_afresh += other.pairs().searches();
+    return found;
+  }
+  std::vector<Candidate> foundBy(FragmentFinder* by) {
     x = surfacePositions(surface, motion.x);
     std::vector<Candidate> candidates;
     ahead.resize(v.size());
     for (std::size_t i = 0; i < v.size(); ++i) ahead[i] = 0.01 * v[i];
-    finder.find(contact, x, ahead, {}, 1, &candidates);
+    by->find(contact, x, ahead, {}, 1, &candidates);
     return candidates;
   }
   // Moves a piece as a rigid one.
@@ -47,6 +56,7 @@ struct Touching : Rig {
   Surface surface;
   ContactSurface contact;
   FragmentFinder finder;
+  int searches_afresh = 0;
   std::vector<Vec3> x, v, ahead;
 };
 
@@ -78,8 +88,7 @@ TEST(FragmentFinder, TakesNoTriangleWithoutAreaAtRest) {
   EXPECT_FALSE(rig.find().empty());
   for (Vec3& X : rig.contact.rest) X = Vec3(0.5, 0.5, X.z());
   rig.contact.edges.clear();
-  rig.finder.surfaceChanged();
-  EXPECT_TRUE(rig.again().empty());
+  EXPECT_TRUE(rig.afresh().empty());
 }
 
 // Every point of one face lies on the other, with no gap; twins are one contact.
@@ -111,11 +120,8 @@ std::vector<Candidate> ofFaces(std::vector<Candidate> candidates) {
   return candidates;
 }
 
-// What a finder without any past finds, which has to search everything.
 void expectAsAfresh(Touching* rig, unsigned seed) {
-  const std::vector<Candidate> found = rig->again();
-  rig->finder.surfaceChanged();
-  const std::vector<Candidate> afresh = rig->again();
+  const std::vector<Candidate> found = rig->again(), afresh = rig->afresh();
   ASSERT_EQ(found.size(), afresh.size()) << seed;
   for (std::size_t i = 0; i < found.size(); ++i) {
     ASSERT_FALSE(comesBefore(found[i], afresh[i]) || comesBefore(afresh[i], found[i])) << seed;
@@ -167,6 +173,48 @@ TEST(FragmentFinder, FindsWhatTryingEverythingFindsHoweverItsPiecesMove) {
     }
     expectAllFound(rig, rig.again(), seed);
   }
+}
+
+PlaneCut slit(const Vec3& point, const Vec3& normal, double size) {
+  PlaneCut cut = plane(point, normal);
+  cut.tangent = normal.unitOrthogonal();
+  cut.length = cut.width = size;
+  return cut;
+}
+
+// Pieces move, slits are cut into them, and now and then one falls apart.
+TEST(FragmentFinder, FindsTheSameWhateverWasThereBeforeTheSurfaceChanged) {
+  int found = 0, searches = 0, afresh = 0;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    Touching rig({6, 5, 5}, Vec3(1.2, 1, 1));
+    const std::vector<Vec3> random = randomVectors(120, 1, seed);
+    ASSERT_TRUE(rig.cut(plane(Vec3(0.6, 0.49, 0.51), random[0])).changed());
+    rig.find();
+    for (int k = 1; k < 14; ++k) {
+      for (int piece = 0; piece < rig.pieces(); ++piece)
+        rig.move(piece, 0.004 * random[4 * k + piece % 4], 0.004 * random[4 * k + 1].y());
+      const Vec3 middle = Vec3(0.6, 0.5, 0.5) + random[4 * k].cwiseProduct(Vec3(0.5, 0.4, 0.4));
+      rig.cut(k % 7 == 0 ? plane(middle, random[4 * k + 2]) : slit(middle, random[4 * k + 2], 0.3));
+      const int before = rig.finder.pairs().searches();
+      found += static_cast<int>(rig.find().size());
+      searches += rig.finder.pairs().searches() - before;
+      expectAsAfresh(&rig, seed);
+    }
+    afresh += rig.searches_afresh;
+  }
+  EXPECT_GT(found, 2'000);
+  EXPECT_LT(2 * searches, afresh);
+}
+
+TEST(FragmentFinder, LooksOnlyForWhatIsFreshWhereASlitIsCut) {
+  Touching rig({8, 8, 8}, Vec3::Ones());
+  ASSERT_TRUE(rig.cut(plane(Vec3(0.5, 0.5, 0.55), Vec3(0.2, 0.1, 1))).changed());
+  rig.find();
+  const int searches = rig.finder.pairs().searches();
+  ASSERT_TRUE(rig.cut(slit(Vec3(0.5, 0.1, 0.2), Vec3(1, 0.1, 0.2), 0.2)).changed());
+  rig.find();
+  EXPECT_EQ(rig.finder.pairs().searches(), searches);
+  expectAsAfresh(&rig, 0);
 }
 
 TEST(FragmentFinder, FollowsSmallMotionWithoutASearch) {

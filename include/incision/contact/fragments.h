@@ -44,7 +44,7 @@ class FragmentFinder {
   /// What the faces of a pair meet.
   struct FacesIn {
     std::vector<Found> found;
-    std::vector<Span<const NearPairs::SampleTriangle>> deep;  ///< samples with what is near them, to be looked at twice
+    std::vector<Span<const SampleTriangle>> deep;  ///< samples with what is near them, to be looked at twice
   };
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads);

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "incision/contact/contact_surface.h"
+#include "incision/contact/fresh_things.h"
 #include "incision/contact/piece_frames.h"
 #include "incision/contact/piece_trees.h"
+#include "incision/contact/surface_match.h"
 
 namespace incision {
 
@@ -16,9 +18,6 @@ namespace incision {
 /// was.
 class NearPairs {
  public:
-  struct SampleTriangle {
-    int sample, triangle;
-  };
   struct Pair {
     int a, b;                                ///< pieces, a ≤ b
     std::vector<SampleTriangle> faces;       ///< by sample, then by triangle
@@ -26,15 +25,20 @@ class NearPairs {
 
    private:
     friend class NearPairs;
+    void sort();
     PieceFrames::Frame from_a, from_b;  // where they were at the search
     double worn = 0;                    // of both at the search [m]
     double off = 0;                     // of both from their shapes at the search [m]
     double margin = 0;                  // by how much it looked further than to its reach, [m]
-    double further = 0;                 // and so how far in all [m]
-    double aside = 0;                   // and how far from above a triangle, within its plane [m]
+    double size = 0;                    // the larger one of the two [m],
+    double reach = 0;                   // and its reach [m],
+    Reach searched = {0, 0};            // and so how far in all
+    bool is_incomplete = false;         // it lacks what is fresh
   };
 
-  void surfaceChanged(const ContactSurface& surface);
+  /// The surface is another one, with its vertices at `x` [m]. What pieces that are still there had near each other
+  /// stays, and of them only what is fresh is looked for, as long as that is little.
+  void surfaceChanged(const ContactSurface& surface, const std::vector<Vec3>& x);
 
   /// `reach`: how near two things must come in the step to count, in elements.
   void update(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double reach,
@@ -52,10 +56,11 @@ class NearPairs {
   const PieceTrees& placeTreesElsewhere(const ContactSurface& surface, const std::vector<Vec3>& x,
                                         const std::vector<int>& pieces, int threads);
 
-  /// How many pairs have been searched since the surface changed.
+  /// How many pairs have been searched since this was made, but for what was fresh alone.
   int searches() const { return searches_; }
 
  private:
+  void buildTrees(const ContactSurface& surface);
   void findClosePieces(double reach);
   /// A part of a search, and what it has found.
   struct Share {
@@ -65,22 +70,25 @@ class NearPairs {
     std::vector<std::pair<int, int>> edges;
   };
 
+  void keepPairs(int pieces, const SurfaceMatch& known);
+  void renumber(const SurfaceMatch& known, Pair* pair) const;
+  void addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   double needed(const Pair& pair) const;
   void startSearch(double reach, std::size_t stale);
   void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
-  void addClose(const ContactSurface& surface, const std::vector<Vec3>& x, const Pair& pair, int t, int other,
-                std::vector<SampleTriangle>* faces) const;
 
+  SurfaceOutline outline_;
   PieceFrames frames_;
+  FreshThings fresh_;
   PieceTrees trees_;
+  bool has_trees_ = false;                      // of the surface there is
   Lists<int> samples_of_, edges_of_;            // each triangle: those that it stands for
-  std::vector<char> has_area_;                  // of each triangle
   double base_margin_ = 0, margin_of_one_ = 0;  // of two pieces, and of a piece with itself [m]
   int searches_ = 0;
   std::vector<std::vector<std::unique_ptr<Pair>>> pairs_;  // of each piece, those with later ones
   std::vector<std::pair<double, int>> sweep_;              // pieces by where they begin along x
   std::vector<std::pair<int, int>> close_;
-  std::vector<Pair*> active_, stale_;
+  std::vector<Pair*> active_, stale_, incomplete_;
   std::vector<int> to_place_;
   std::vector<char> placed_;  // in this step, of each piece
   std::vector<Share> shares_;

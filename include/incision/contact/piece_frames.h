@@ -6,6 +6,7 @@
 
 #include "incision/base/lists.h"
 #include "incision/contact/contact_surface.h"
+#include "incision/contact/surface_match.h"
 
 namespace incision {
 
@@ -29,7 +30,9 @@ class PieceFrames {
     double size = 0;                     ///< the largest of its vertices' [m]
   };
 
-  void surfaceChanged(const ContactSurface& surface);
+  /// The surface is another one, of which this is `known`, and its vertices are at `x` [m]. Pieces that there were keep
+  /// their shapes, and what is new of them counts from where it is.
+  void surfaceChanged(const ContactSurface& surface, const SurfaceMatch& known, const std::vector<Vec3>& x);
 
   /// The shape of a piece that is off by more than `most` [m] is taken anew, in the frame that the piece has.
   void update(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double most, int threads);
@@ -40,10 +43,11 @@ class PieceFrames {
   void follow(const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, double most, int piece);
   void begin(const std::vector<Vec3>& x, int piece);
   void takeShape(const std::vector<Vec3>& x, int piece);
+  void goOn(const std::vector<Vec3>& x, const std::vector<const Vec3*>& known_shape, int piece);
   void fit(int piece, int end, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead);
 
   Lists<int> vertices_;      // of each piece
-  std::vector<Vec3> shape_;  // of each piece, its vertices in the order of vertices_, about their mean [m]
+  std::vector<Vec3> shape_;  // of each piece, its vertices in the order of vertices_ [m]
   std::vector<Piece> pieces_;
 };
 

@@ -89,6 +89,7 @@ void Stroke::measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& 
     const double phi = distanceNow(c, to, x);
     distance.phi = std::abs(phi) < SNAP * mesh.shortestEdge(mesh.copyNode(c)) ? 0 : phi;
     distance.normal = heading;
+    if (known_parts_ > 0) measured_since_.push_back(c);
   }
 }
 

@@ -100,7 +100,10 @@ void Stroke::keepTriangles(const CutMesh& mesh) {
     triangles.push_back({c[0], c[1], c[2]});
     triangles.push_back({c[0], c[2], c[3]});
   };
-  for (const Passed& passed : passed_) keep(passed);
+  for (const Passed& passed : passed_) {
+    keep(passed);
+    if (known_parts_ > 0) swept_since_.push_back(mesh.parts()[passed.part].element);
+  }
   for (const auto& [element, triangles] : just_swept_) memory_.swept[element].add(triangles);
   for (const Passed& passed : beside_) keep(passed);
 }

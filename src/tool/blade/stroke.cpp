@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incision/base/sort_once.h"
 #include "incision/cut/cut_here.h"
 
 namespace incision {
@@ -38,6 +39,7 @@ bool runsInSlit(const CutMesh& mesh, const Materials& materials, int p, const st
 
 void Stroke::restart() {
   memory_ = Memory();
+  forgetLook();
   start_x_.clear();
 }
 
@@ -100,7 +102,10 @@ Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
     return covers(mesh.parts()[part], polygon, crack.phi) && !runsInSlit(mesh, materials, part, polygon, memory_.crack);
   };
   const int before = mesh.numCopies();
+  known_parts_ = 0;  // until it has been inserted
   const Insertion done = door->insert(crack);
+  forgetLook();
+  known_parts_ = mesh.parts().size();
   if (!done.changed()) return done;
   memory_.cracks += !memory_.crack;
   memory_.crack = done.crack;
@@ -109,14 +114,42 @@ Insertion Stroke::cut(const Materials& materials, MeshDoor* door, Ties* ties) {
   return done;
 }
 
-/// The crack in all elements of the sweep so far: a copy that is measured anew can change what it means for elements
-/// that the blade has left behind, and neighbours must agree.
+void Stroke::forgetLook() {
+  swept_since_.clear();
+  measured_since_.clear();
+  known_parts_ = 0;
+}
+
+/// Elements of the sweep so far, in any order, in which the crack may mean something else than when it was last
+/// inserted. A copy that is measured anew can change that in elements that the blade has left behind, and a face is
+/// severed by what lies on both sides of it. When something else has split parts, that is all elements.
+std::vector<int> Stroke::toLookAt(const CutMesh& mesh) const {
+  std::vector<int> elements;
+  if (known_parts_ != mesh.parts().size()) {
+    for (const auto& [element, unused] : memory_.swept) elements.push_back(element);
+    return elements;
+  }
+  elements = swept_since_;
+  for (int c : measured_since_) {
+    const Span<const int> star = mesh.topology().star[mesh.copyNode(c)];
+    elements.insert(elements.end(), star.begin(), star.end());
+  }
+  sortOnce(&elements);
+  for (std::size_t i = 0, count = elements.size(); i < count; ++i)
+    for (int across : mesh.topology().neighbours[elements[i]]) elements.push_back(across);
+  sortOnce(&elements);
+  const auto unswept = [&](int element) { return memory_.swept.count(element) == 0; };
+  elements.erase(std::remove_if(elements.begin(), elements.end(), unswept), elements.end());
+  return elements;
+}
+
+/// The crack in the elements to look at.
 CrackField Stroke::field(const CutMesh& mesh) const {
   CrackField crack;
   crack.crack = memory_.crack;
   crack.phi.assign(mesh.numCopies(), 0);
   for (const auto& [copy, distance] : memory_.distances) crack.phi[copy] = distance.phi;
-  for (const auto& [element, unused] : memory_.swept)
+  for (const int element : toLookAt(mesh))
     for (int p = element; p >= 0; p = mesh.parts()[p].next) {
       const auto& copies = mesh.parts()[p].copies;
       if (std::all_of(copies.begin(), copies.end(), [&](int c) { return memory_.distances.count(c) > 0; }))

@@ -87,7 +87,10 @@ class Stroke {
     std::unordered_map<int, SweptTriangles> swept;  ///< so far, in each element it met
   };
   const Memory& keep() const { return memory_; }
-  void recall(const Memory& memory) { memory_ = memory; }
+  void recall(const Memory& memory) {
+    memory_ = memory;
+    forgetLook();
+  }
 
  private:
   /// A part that the current sweep passes.
@@ -106,6 +109,8 @@ class Stroke {
   double distanceNow(int copy, const Edge& to, const std::vector<Vec3>& x) const;
   bool crossesItself(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh) const;
   void measure(const Edge& to, const std::vector<Vec3>& x, const CutMesh& mesh);
+  void forgetLook();
+  std::vector<int> toLookAt(const CutMesh& mesh) const;
   CrackField field(const CutMesh& mesh) const;
   bool covers(const Part& part, const std::vector<Barycentric>& polygon, const std::vector<double>& phi) const;
   void settle(const Insertion& done, int before, const CutMesh& mesh);
@@ -119,6 +124,10 @@ class Stroke {
   std::map<int, Vec3> headings_;  // of the copies passed: the crack's normal; sorted, as they are summed up
   std::unordered_map<int, std::vector<SweptTriangle>> just_swept_;
   std::vector<Passed> passed_, beside_;  // parts that it passes, and cut ones that it passes farther off
+  // Since the crack was last inserted, unless all that was swept is to be looked at:
+  std::vector<int> swept_since_;     // elements of the parts passed,
+  std::vector<int> measured_since_;  // and copies whose distances were measured
+  std::size_t known_parts_ = 0;      // that the mesh had then; 0: all is to be looked at
 };
 
 template <class Archive>
