@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <sstream>
 
 #include "support/blade.h"
+#include "support/cuts.h"
 #include "support/tool.h"
 
 namespace incision {
@@ -129,6 +131,33 @@ TEST(StrokePath, ABladePressedInFromAboveCutsToItsDepthAlongItsLength) {
   // A point stands for a hundredth of an element's section, and elements begin to open at FIRST_SHARE of theirs.
   EXPECT_NEAR(still.tools[0].stroke_area, 0.2 * 0.2, 0.03 * 0.04);
   EXPECT_NEAR(still.tools[0].depth, 0.08, 0.03);  // the side at y = 0 is the nearest skin
+}
+
+// A body that is restored looks at the whole sweep again, another one only at what has changed since the last step. A
+// plane cuts through the slit meanwhile.
+TEST(StrokePath, CutsTheSameWhereItLooksAgainAtAllThatItHasSwept) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> tremble(0, 0.01);
+  const auto shaken = [&](double s) {
+    Pose pose = arc(s);
+    pose.position += Vec3(tremble(random), tremble(random), tremble(random));
+    return pose;
+  };
+  for (const std::vector<Pose>& path : {along(60, oblique), along(60, arc), along(120, shaken)}) {
+    DeformableBody once(plateAndBlade(), loadMesh(plateAndBlade())), again(plateAndBlade(), loadMesh(plateAndBlade()));
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      std::ostringstream saved;
+      again.save(saved);
+      again.restore(saved.str());
+      for (DeformableBody* body : {&once, &again}) {
+        if (2 * k == path.size() - path.size() % 2) body->cut(plane(Vec3(0.31, 0.3, 0.1), Vec3(1, 0.3, 0.2)));
+        body->guideTool({path[k]});
+        body->step();
+      }
+    }
+    EXPECT_GT(once.counts().crack_elements, 50);
+    EXPECT_EQ(once.stateHash(), again.stateHash());
+  }
 }
 
 TEST(StrokePath, AScrewedBladeCutsAHelicalSurface) {
