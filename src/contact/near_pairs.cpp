@@ -177,7 +177,12 @@ double NearPairs::needed(const Pair& pair) const {
     const double rigid = pair.a == pair.b ? 0 : movedApart(a, b, pair.from_a, pair.from_b, end);
     most = std::max(most, rigid + a.off[end] + b.off[end]);
   }
-  return most + pair.off + a.worn + b.worn - pair.worn;
+  return most + usedUp(pair);
+}
+
+/// What of that stays however they move back [m].
+double NearPairs::usedUp(const Pair& pair) const {
+  return pair.off + frames_.pieces()[pair.a].worn + frames_.pieces()[pair.b].worn - pair.worn;
 }
 
 /// Divides the search of a pair, which may be the only one, into shares.
@@ -225,12 +230,12 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
   parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) { stale_[i]->sort(); });
 }
 
-/// What has moved since the search can have come nearer by as much. Pairs that are not looked at in this step are
-/// searched when they are.
+/// What is fresh can come nearer by what is left of the margin, and by what goes back of what others have moved since
+/// the search. Pairs that are not looked at in this step lack it until they are.
 void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
   parallelFor(static_cast<int>(incomplete_.size()), threads, [&](int i) {
     Pair* const pair = incomplete_[i];
-    const double more = TURNING * needed(*pair);
+    const double more = TURNING * (needed(*pair) - 2 * usedUp(*pair));
     const Reach reach = {pair->searched.further + more, pair->searched.aside + more};
     fresh_.addFaces(surface, x, pair->a, pair->b, reach, &pair->faces);
     if (pair->a != pair->b) {

@@ -74,6 +74,7 @@ class NearPairs {
   void renumber(const SurfaceMatch& known, Pair* pair) const;
   void addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   double needed(const Pair& pair) const;
+  double usedUp(const Pair& pair) const;
   void startSearch(double reach, std::size_t stale);
   void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
 
