@@ -13,10 +13,9 @@ class Collector {
 
   ExposedPolygons run() {
     for (std::size_t p = 0; p < mesh_.parts().size(); ++p) addFacets(static_cast<int>(p));
-    for (std::size_t e = 0; e < mesh_.mesh().elements.size(); ++e)
-      for (int f = 0; f < 4; ++f)
-        if (mesh_.topology().neighbours[e][f] > static_cast<int>(e) && mayBeSevered(static_cast<int>(e), f))
-          addSevered(static_cast<int>(e), f);
+    for (int e = 0; e < static_cast<int>(mesh_.mesh().elements.size()); ++e)
+      for (int f = 0; f < 4 && !mesh_.isWhole(e); ++f)
+        if (mesh_.topology().neighbours[e][f] > e && mayBeSevered(e, f)) addSevered(e, f);
     return std::move(exposed_);
   }
 

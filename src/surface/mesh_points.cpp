@@ -16,6 +16,8 @@ int numNodes(const MeshPoint& point) {
 
 /// Where a corner lies; weights that are there by rounding only are dropped.
 MeshPoint locatePoint(const std::array<int, 4>& element, const Barycentric& b) {
+  for (int I = 0; I < 4; ++I)
+    if (b[I] == 1) return {{element[I], -1, -1, -1}, Barycentric::UnitX()};
   std::array<int, 4> by_node = {0, 1, 2, 3};
   std::sort(by_node.begin(), by_node.end(), [&](int I, int J) { return element[I] < element[J]; });
   MeshPoint point{NO_NODES, Barycentric::Zero()};
