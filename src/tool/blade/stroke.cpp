@@ -165,7 +165,7 @@ bool Stroke::covers(const Part& part, const std::vector<Barycentric>& polygon, c
   if (found == memory_.swept.end()) return false;
   const Vec3 across =
       gradient(Eigen::Vector4d(phi[part.copies[0]], phi[part.copies[1]], phi[part.copies[2]], phi[part.copies[3]]));
-  const SweptShadow shadow(found->second, across, polygon);
+  const SweptShadow shadow(found->second.all(), across, polygon);
   if (shadow.isEmpty()) return false;
   if (!progressive_ || liesInFace(polygon)) return shadow.covers(polygonCentroid(polygon));
   const std::vector<Barycentric> points = spread(polygon);

@@ -65,15 +65,19 @@ void Ties::addSection(int crack, int part, const CutMesh& mesh, bool progressive
   memory_.ties.push_back(std::move(tie));
 }
 
-/// Takes out the points that the triangle lies behind or before, seen along the normal.
-void Ties::mark(const SweptTriangle& triangle, bool own_crack, Tie* tie) {
+/// Takes out the points that a triangle lies behind or before, seen along the normal.
+void Ties::mark(Span<const SweptTriangle> triangles, bool own_crack, Tie* tie) {
   const Vec3 across = gradient(tie->distance);
-  const Vec3 normal = (triangle[1] - triangle[0]).tail<3>().cross((triangle[2] - triangle[0]).tail<3>());
-  const auto swept = std::remove_if(tie->unswept.begin(), tie->unswept.end(), [&](const Barycentric& point) {
-    if (!isBehind(triangle, point, across)) return false;
+  const SweptShadow shadow(triangles, across, tie->unswept);
+  if (shadow.isEmpty()) return;
+  const auto isNear = [&](const SweptTriangle& triangle, const Barycentric& point) {
+    const Vec3 normal = (triangle[1] - triangle[0]).tail<3>().cross((triangle[2] - triangle[0]).tail<3>());
     // point + t across lies in the triangle, and away by t |across|².
     const double t = normal.dot((triangle[0] - point).tail<3>()) / normal.dot(across);
-    return own_crack || std::abs(t) * across.squaredNorm() < REACH * tie->size;
+    return std::abs(t) * across.squaredNorm() < REACH * tie->size;
+  };
+  const auto swept = std::remove_if(tie->unswept.begin(), tie->unswept.end(), [&](const Barycentric& point) {
+    return shadow.covers(point, [&](const SweptTriangle& triangle) { return own_crack || isNear(triangle, point); });
   });
   if (swept == tie->unswept.end()) return;
   memory_.area += tie->area * static_cast<double>(tie->unswept.end() - swept) / static_cast<double>(tie->points);
@@ -84,7 +88,7 @@ void Ties::mark(const SweptTriangle& triangle, bool own_crack, Tie* tie) {
 void Ties::sweep(const std::unordered_map<int, std::vector<SweptTriangle>>& swept, std::optional<int> crack) {
   for (Tie& tie : memory_.ties)
     if (const auto found = swept.find(tie.section.element); found != swept.end())
-      for (const SweptTriangle& triangle : found->second) mark(triangle, tie.section.crack == crack, &tie);
+      mark({found->second.data(), found->second.data() + found->second.size()}, tie.section.crack == crack, &tie);
   finishSweep();
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "incision/base/lists.h"
 #include "incision/tool/blade/sweep.h"
 
 namespace incision {
@@ -20,8 +22,10 @@ class SweptTriangles {
   /// Adds those of one sweep. Nothing has changed where it throws.
   void add(const std::vector<SweptTriangle>& more);
 
-  const SweptTriangle* begin() const { return triangles_ ? triangles_->data() : nullptr; }
-  const SweptTriangle* end() const { return triangles_ ? triangles_->data() + triangles_->size() : nullptr; }
+  Span<const SweptTriangle> all() const {
+    return triangles_ ? Span<const SweptTriangle>(triangles_->data(), triangles_->data() + triangles_->size())
+                      : Span<const SweptTriangle>(nullptr, nullptr);
+  }
 
   template <class Archive>
   void save(Archive& archive) const {
@@ -38,15 +42,25 @@ class SweptTriangles {
   std::shared_ptr<const std::vector<SweptTriangle>> triangles_;
 };
 
-/// Triangles as they are seen along a direction, but for those that lie beside a polygon.
+/// Triangles as they are seen along a direction, but for those that lie beside all of some points.
 class SweptShadow {
  public:
-  SweptShadow(const SweptTriangles& triangles, const Vec3& direction, const std::vector<Barycentric>& polygon);
+  /// The triangles must outlive this.
+  SweptShadow(Span<const SweptTriangle> triangles, const Vec3& direction, const std::vector<Barycentric>& points);
 
   bool isEmpty() const { return triangles_.empty(); }
 
-  /// Whether isBehind holds for a triangle and a point of the polygon.
-  bool covers(const Barycentric& point) const;
+  /// Whether isBehind holds for a triangle that counts(triangle) and one of the points, or one between them.
+  template <typename Counts>
+  bool covers(const Barycentric& point, const Counts& counts) const {
+    const Eigen::Vector2d at = seen(point);
+    return std::any_of(triangles_.begin(), triangles_.end(), [&](const Seen& seen) {
+      return seen.box.contains(at) && isBehind(*seen.triangle, point, direction_) && counts(*seen.triangle);
+    });
+  }
+  bool covers(const Barycentric& point) const {
+    return covers(point, [](const SweptTriangle&) { return true; });
+  }
 
  private:
   struct Seen {
@@ -54,7 +68,7 @@ class SweptShadow {
     Eigen::AlignedBox2d box;
   };
 
-  Eigen::Vector2d seen(const Barycentric& point) const;
+  Eigen::Vector2d seen(const Barycentric& point) const { return axes_ * point.tail<3>(); }
 
   Vec3 direction_;
   Eigen::Matrix<double, 2, 3> axes_;

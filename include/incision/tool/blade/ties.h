@@ -8,7 +8,7 @@
 #include "incision/cut/section.h"
 #include "incision/fem/materials.h"
 #include "incision/solver/coupler.h"
-#include "incision/tool/blade/sweep.h"
+#include "incision/tool/blade/swept_triangles.h"
 
 namespace incision {
 
@@ -79,14 +79,14 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
 
   /// A stroke has split these parts and severed these faces; `swept` is its sweep so far in each element. Unless it is
   /// `progressive` nothing is tied.
-  template <typename Sweep>
-  void add(const Insertion& done, const CutMesh& mesh, const Sweep& swept, bool progressive) {
+  void add(const Insertion& done, const CutMesh& mesh, const std::unordered_map<int, SweptTriangles>& swept,
+           bool progressive) {
     memory_.area += done.severed_area;
     const std::size_t first = memory_.ties.size();
     for (int p : done.parts) addSection(done.crack, p, mesh, progressive);
     for (std::size_t t = first; t < memory_.ties.size(); ++t)
       if (const auto found = swept.find(memory_.ties[t].section.element); found != swept.end())
-        for (const SweptTriangle& triangle : found->second) mark(triangle, true, &memory_.ties[t]);
+        mark(found->second.all(), true, &memory_.ties[t]);
     for (std::size_t t = first; t < memory_.ties.size(); ++t) memory_.ties[t].countSeparated(mesh);
     finishSweep();
   }
@@ -114,7 +114,7 @@ class Ties : public WithMemory<Coupler, TiesMemory> {
 
  private:
   void addSection(int crack, int part, const CutMesh& mesh, bool progressive);
-  void mark(const SweptTriangle& triangle, bool own_crack, Tie* tie);
+  void mark(Span<const SweptTriangle> triangles, bool own_crack, Tie* tie);
   void finishSweep();
 
   const Materials& materials_;
