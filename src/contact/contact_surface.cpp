@@ -113,11 +113,12 @@ class Builder {
     made_.young_modulus.assign(vertices, 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       areas_.push_back(restArea(made_, static_cast<int>(t)));
+      lengths_.push_back(areas_.back().norm());
       const int element = mesh.parts()[made_.surface->part[t]].element;
       const double size = materials.size(element);
       for (int v : triangles[t]) {
         made_.size[v] += size;
-        made_.area[v] += areas_[t].norm() / 3;
+        made_.area[v] += lengths_[t] / 3;
         made_.young_modulus[v] = std::max(made_.young_modulus[v], materials.youngModulus(element));
       }
     }
@@ -145,13 +146,13 @@ class Builder {
     std::size_t others = 0;
     for (int t : left_) {
       const Vec3& a = areas_[t];
-      const bool flat = sum.isZero(0) || a.dot(sum) > MIN_COSINE * a.norm() * sum.norm();
+      const bool flat = sum.isZero(0) || a.dot(sum) > MIN_COSINE * lengths_[t] * sum.norm();
       if (made_.surface->cut_face[t] != cut || !flat) {
         left_[others++] = t;
         continue;
       }
       sum += a;
-      sample.area += a.norm() / 3;
+      sample.area += lengths_[t] / 3;
       made_.around.push_back(t);
     }
     left_.resize(others);
@@ -160,8 +161,9 @@ class Builder {
   }
 
   ContactSurface& made_;
-  std::vector<Vec3> areas_;
-  std::vector<int> left_;  // triangles round a vertex that are in no sample yet
+  std::vector<Vec3> areas_;      // of each triangle at rest [m²],
+  std::vector<double> lengths_;  // and their lengths
+  std::vector<int> left_;        // triangles round a vertex that are in no sample yet
 };
 
 }  // namespace

@@ -40,6 +40,9 @@ constexpr double EDGE_AREA = 0.1;
 /// surface meets itself at an edge, the material keeps them together.
 constexpr double ONE_POINT = 0.05;
 
+/// Samples with triangles that a thread looks at one after the other: some 20 µs.
+constexpr std::ptrdiff_t SHARE = 512;
+
 bool isOnePoint(const Spring& contact) {
   double sum = 0;
   for (int i = 0; i < contact.count; ++i) sum += std::abs(contact.weights[i]);
@@ -176,14 +179,13 @@ void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>
   measure(surface, x, ahead, threads);
   const SkinInStep skin{surface, x, ahead, normals_, end_normals_, sample_normals_};
   const std::vector<NearPairs::Pair*>& pairs = pairs_.active();
-  if (faces_in_.size() < pairs.size()) faces_in_.resize(pairs.size());
+  divideFaces();
+  parallelFor(shares_used_, threads, [&](int i) { findFaces(skin, touches, &shares_[i]); });
   if (edges_in_.size() < pairs.size()) edges_in_.resize(pairs.size());
-  parallelFor(static_cast<int>(pairs.size()), threads, [&](int i) {
-    findFaces(skin, touches, *pairs[i], &faces_in_[i]);
-    findEdges(skin, touches, *pairs[i], &edges_in_[i]);
-  });
-  findDeepFaces(skin, touches, pairs.size(), threads);
-  gather(pairs.size());
+  parallelFor(static_cast<int>(pairs.size()), threads,
+              [&](int i) { findEdges(skin, touches, *pairs[i], &edges_in_[i]); });
+  findDeepFaces(skin, touches, threads);
+  gather();
   for (const EdgeMeeting& met : edges_) candidates->push_back(candidateOf(skin, met));
   for (const Found& met : faces_) {
     const int twin = twinOf(surface, met);
@@ -211,33 +213,48 @@ void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Ve
   parallelFor(static_cast<int>(triangles.size()), threads, [&](int t) { normals_[t].stableNormalize(); });
 }
 
+/// Divides the faces of each pair, which may be the only one.
+void FragmentFinder::divideFaces() {
+  shares_used_ = 0;
+  for (const NearPairs::Pair* pair : pairs_.active()) {
+    const SampleTriangle *first = pair->faces.data(), *const end = first + pair->faces.size();
+    for (const auto* last = first; first != end; first = last) {
+      last = end - first > SHARE ? first + SHARE : end;
+      while (last != end && last->sample == last[-1].sample) ++last;
+      if (shares_used_ == static_cast<int>(shares_.size())) shares_.emplace_back();
+      Share& share = shares_[shares_used_++];
+      share.first = first;
+      share.last = last;
+      share.of_one_piece = pair->a == pair->b;
+    }
+  }
+}
+
 /// The nearest places where samples meet the other piece.
-void FragmentFinder::findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
-                               FacesIn* faces) const {
-  faces->found.clear();
-  faces->deep.clear();
-  const SampleTriangle *first = pair.faces.data(), *const end = first + pair.faces.size();
-  for (const auto* last = first; first != end; first = last) {
-    while (last != end && last->sample == first->sample) ++last;
-    const Nearest nearest = nearestFace(skin, touches, {first, last}, pair.a == pair.b, nullptr);
-    if (nearest.met) faces->found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
-    if (nearest.is_deep) faces->deep.emplace_back(first, last);
+void FragmentFinder::findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, Share* share) const {
+  share->found.clear();
+  share->deep.clear();
+  const SampleTriangle* first = share->first;
+  for (const auto* last = first; first != share->last; first = last) {
+    while (last != share->last && last->sample == first->sample) ++last;
+    const Nearest nearest = nearestFace(skin, touches, {first, last}, share->of_one_piece, nullptr);
+    if (nearest.met) share->found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
+    if (nearest.is_deep) share->deep.emplace_back(first, last);
   }
 }
 
 /// Those of samples that are deep, once the trees of the pieces are where these are.
-void FragmentFinder::findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, std::size_t pairs,
-                                   int threads) {
+void FragmentFinder::findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, int threads) {
   deep_in_.clear();
-  for (std::size_t i = 0; i < pairs; ++i)
-    for (const Span<const SampleTriangle>& near : faces_in_[i].deep)
+  for (int i = 0; i < shares_used_; ++i)
+    for (const Span<const SampleTriangle>& near : shares_[i].deep)
       deep_in_.push_back(skin.surface.piece[near[0].triangle]);
   sortOnce(&deep_in_);
   const PieceTrees& trees = pairs_.placeTrees(skin.surface, skin.x, deep_in_, threads);
-  parallelFor(static_cast<int>(pairs), threads, [&](int i) {
-    for (const Span<const SampleTriangle>& near : faces_in_[i].deep)
+  parallelFor(shares_used_, threads, [&](int i) {
+    for (const Span<const SampleTriangle>& near : shares_[i].deep)
       if (const Nearest nearest = nearestFace(skin, touches, near, false, &trees); nearest.met)
-        faces_in_[i].found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
+        shares_[i].found.push_back({*nearest.met, skin.surface.piece[nearest.met->triangle]});
   });
 }
 
@@ -256,13 +273,12 @@ void FragmentFinder::findEdges(const SkinInStep& skin, const std::vector<Touch>&
   }
 }
 
-void FragmentFinder::gather(std::size_t pairs) {
+void FragmentFinder::gather() {
   faces_.clear();
+  for (int i = 0; i < shares_used_; ++i) faces_.insert(faces_.end(), shares_[i].found.begin(), shares_[i].found.end());
   edges_.clear();
-  for (std::size_t i = 0; i < pairs; ++i) {
-    faces_.insert(faces_.end(), faces_in_[i].found.begin(), faces_in_[i].found.end());
+  for (std::size_t i = 0; i < pairs_.active().size(); ++i)
     edges_.insert(edges_.end(), edges_in_[i].begin(), edges_in_[i].end());
-  }
   std::sort(faces_.begin(), faces_.end(),
             [](const Found& a, const Found& b) { return std::tie(a.sample, a.piece) < std::tie(b.sample, b.piece); });
   std::sort(edges_.begin(), edges_.end(), [](const EdgeMeeting& a, const EdgeMeeting& b) {

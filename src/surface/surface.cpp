@@ -71,6 +71,7 @@ class SurfaceBuilder {
   }
 
   Vec3 restPosition(int point) const {
+    if (points_.isNode(point)) return mesh_.mesh().nodes[point];
     const MeshPoint place = points_.place(point);
     Vec3 X = Vec3::Zero();
     for (int k = 0; k < 4 && place.nodes[k] >= 0; ++k) X += place.weights[k] * mesh_.mesh().nodes[place.nodes[k]];
@@ -79,14 +80,26 @@ class SurfaceBuilder {
 
   /// The vertex at a point of a part's boundary: the same for all parts that use the same copies there.
   int vertex(int part, int point) {
+    if (points_.isNode(point)) return vertexAtNode(mesh_.parts()[part], point);
     const SurfaceVertex wanted = surfaceVertex(mesh_.parts()[part], points_.place(point));
-    int& last = points_.isNode(point) ? at_copy_[wanted.copies[0]] : last_at_point_[point];
+    int& last = last_at_point_[point];
     for (int v = last; v >= 0; v = previous_[v])
       if (surface_.vertices[v].copies == wanted.copies) return v;
     previous_.push_back(last);
     last = static_cast<int>(surface_.vertices.size());
     surface_.vertices.push_back(wanted);
     return last;
+  }
+
+  int vertexAtNode(const Part& part, int node) {
+    const auto& element = mesh_.mesh().elements[part.element];
+    const int copy = part.copies[std::find(element.begin(), element.end(), node) - element.begin()];
+    int& known = at_copy_[copy];
+    if (known >= 0) return known;
+    previous_.push_back(-1);
+    known = static_cast<int>(surface_.vertices.size());
+    surface_.vertices.push_back({{copy, copy, copy, copy}, Barycentric::UnitX()});
+    return known;
   }
 
   SurfaceVertex surfaceVertex(const Part& part, const MeshPoint& place) const {

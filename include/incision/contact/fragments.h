@@ -41,19 +41,21 @@ class FragmentFinder {
     int piece;
   };
 
-  /// What the faces of a pair meet.
-  struct FacesIn {
+  /// Some of the faces of a pair, with all of each of their samples, and what they meet.
+  struct Share {
+    const SampleTriangle *first, *last;
+    bool of_one_piece;
     std::vector<Found> found;
     std::vector<Span<const SampleTriangle>> deep;  ///< samples with what is near them, to be looked at twice
   };
 
   void measure(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead, int threads);
-  void findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
-                 FacesIn* faces) const;
-  void findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, std::size_t pairs, int threads);
+  void divideFaces();
+  void findFaces(const SkinInStep& skin, const std::vector<Touch>& touches, Share* share) const;
+  void findDeepFaces(const SkinInStep& skin, const std::vector<Touch>& touches, int threads);
   void findEdges(const SkinInStep& skin, const std::vector<Touch>& touches, const NearPairs::Pair& pair,
                  std::vector<EdgeMeeting>* found) const;
-  void gather(std::size_t pairs);
+  void gather();
   int twinOf(const ContactSurface& surface, const Found& found) const;
 
   bool changed_ = true;
@@ -61,7 +63,8 @@ class FragmentFinder {
   StepEnd step_end_;
   std::vector<Vec3> normals_, end_normals_;         // of each triangle, unit or zero
   std::vector<Vec3> sample_normals_;                // of each sample, unit or zero
-  std::vector<FacesIn> faces_in_;                   // by pair
+  std::vector<Share> shares_;                       // of all pairs, one after the other,
+  int shares_used_ = 0;                             // and how many there are in this step
   std::vector<std::vector<EdgeMeeting>> edges_in_;  // by pair
   std::vector<Found> faces_;                        // by sample, then by piece
   std::vector<EdgeMeeting> edges_;                  // by the one edge, then by the other
