@@ -174,7 +174,8 @@ Nearest nearestFace(const SkinInStep& skin, const std::vector<Touch>& touches, S
 
 void FragmentFinder::find(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
                           const std::vector<Touch>& touches, int threads, std::vector<Candidate>* candidates) {
-  if (std::exchange(changed_, false)) pairs_.surfaceChanged(surface, x);
+  if (changed_) pairs_.surfaceChanged(surface, x);
+  changed_ = false;
   pairs_.update(surface, x, ahead, REACH, threads);
   measure(surface, x, ahead, threads);
   const SkinInStep skin{surface, x, ahead, normals_, end_normals_, sample_normals_};

@@ -29,33 +29,38 @@ constexpr double TURNING = 1.15;
 
 }  // namespace
 
+/// Where memory runs out there is no pair, and what is known of the pieces is of one surface.
 void NearPairs::surfaceChanged(const ContactSurface& surface, const std::vector<Vec3>& x) {
-  const SurfaceMatch known = match(outline_, static_cast<int>(pairs_.size()), surface);
-  outline_ = SurfaceOutline(surface);
+  Pairs before;
+  before.swap(pairs_);
+  active_.clear();
+  SurfaceOutline outline(surface);
+  const SurfaceMatch known = match(outline_, surface);
   frames_.surfaceChanged(surface, known, x);
+  outline_ = std::move(outline);
   fresh_.surfaceChanged(surface, known);
   has_trees_ = false;
   base_margin_ = FURTHER * surface.mean_size;
   margin_of_one_ = FURTHER_IN_ONE * surface.mean_size;
-  active_.clear();
-  keepPairs(surface.pieces, known);
+  pairs_ = kept(&before, known);
 }
 
-/// Of pieces that are still there, and have little that is fresh.
-void NearPairs::keepPairs(int pieces, const SurfaceMatch& known) {
-  const auto before = std::exchange(pairs_, std::vector<std::vector<std::unique_ptr<Pair>>>(pieces));
+/// The pairs of pieces that are still there, and have little that is fresh.
+NearPairs::Pairs NearPairs::kept(Pairs* before, const SurfaceMatch& known) const {
+  Pairs pairs(frames_.pieces().size());
   const auto isKept = [&](int piece) {
     return piece >= 0 && frames_.pieces()[piece].is_followed && fresh_.isLittle(piece);
   };
-  for (const auto& of_piece : before)
-    for (const std::unique_ptr<Pair>& pair : of_piece) {
-      if (pair->is_incomplete || !isKept(known.pieces[pair->a]) || !isKept(known.pieces[pair->b])) continue;
-      auto kept = std::make_unique<Pair>(std::move(*pair));
-      renumber(known, kept.get());
-      pairs_[kept->a].push_back(std::move(kept));
+  for (auto& of_piece : *before)
+    for (std::unique_ptr<Pair>& pair : of_piece) {
+      if (!pair->is_searched || pair->is_incomplete || !isKept(known.pieces[pair->a]) || !isKept(known.pieces[pair->b]))
+        continue;
+      renumber(known, pair.get());
+      pairs[pair->a].push_back(std::move(pair));
     }
-  for (auto& of_piece : pairs_)
+  for (auto& of_piece : pairs)
     std::sort(of_piece.begin(), of_piece.end(), [](const auto& p, const auto& q) { return p->b < q->b; });
+  return pairs;
 }
 
 void NearPairs::renumber(const SurfaceMatch& known, Pair* pair) const {
@@ -100,7 +105,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
       (*at)->b = b;
     }
     active_.push_back(at->get());
-    if (needed(**at) < (*at)->margin) {
+    if ((*at)->is_searched && needed(**at) < (*at)->margin) {
       if ((*at)->is_incomplete) incomplete_.push_back(at->get());
       continue;
     }
@@ -189,6 +194,7 @@ double NearPairs::usedUp(const Pair& pair) const {
 void NearPairs::startSearch(double reach, std::size_t stale) {
   Pair* const pair = stale_[stale];
   const PieceFrames::Piece &a = frames_.pieces()[pair->a], &b = frames_.pieces()[pair->b];
+  pair->is_searched = pair->is_incomplete = false;
   pair->faces.clear();
   pair->edges.clear();
   pair->from_a = a.frames[0];
@@ -199,7 +205,6 @@ void NearPairs::startSearch(double reach, std::size_t stale) {
   pair->size = std::max(a.size, b.size);
   pair->reach = reach * pair->size;
   pair->searched = {TURNING * (pair->reach + pair->margin), TURNING * pair->margin};
-  pair->is_incomplete = false;
   for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->searched.further, SHARES))
     shares_.push_back({stale, nodes, {}, {}});
 }
@@ -227,7 +232,10 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
     pair->faces.insert(pair->faces.end(), share.faces.begin(), share.faces.end());
     pair->edges.insert(pair->edges.end(), share.edges.begin(), share.edges.end());
   }
-  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) { stale_[i]->sort(); });
+  parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) {
+    stale_[i]->sort();
+    stale_[i]->is_searched = true;
+  });
 }
 
 /// What is fresh can come nearer by what is left of the margin, and by what goes back of what others have moved since
@@ -235,6 +243,7 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
 void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
   parallelFor(static_cast<int>(incomplete_.size()), threads, [&](int i) {
     Pair* const pair = incomplete_[i];
+    pair->is_searched = false;
     const double more = TURNING * (needed(*pair) - 2 * usedUp(*pair));
     const Reach reach = {pair->searched.further + more, pair->searched.aside + more};
     fresh_.addFaces(surface, x, pair->a, pair->b, reach, &pair->faces);
@@ -243,6 +252,7 @@ void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>&
       fresh_.addEdges(surface, x, pair->a, pair->b, reach.further, &pair->edges);
     }
     pair->sort();
+    pair->is_searched = true;
     pair->is_incomplete = false;
   });
 }

@@ -59,24 +59,25 @@ double movedApart(const PieceFrames::Piece& a, const PieceFrames::Piece& b, cons
 }
 
 void PieceFrames::surfaceChanged(const ContactSurface& surface, const SurfaceMatch& known, const std::vector<Vec3>& x) {
-  const Lists<int> vertices_before = std::exchange(vertices_, sortedByList(surface.vertex_piece, surface.pieces));
-  const std::vector<Vec3> shape_before = std::exchange(shape_, std::vector<Vec3>(vertices_.values().size()));
-  const std::vector<Piece> pieces_before = std::exchange(pieces_, std::vector<Piece>(surface.pieces));
+  PieceFrames now;
+  now.vertices_ = sortedByList(surface.vertex_piece, surface.pieces);
+  now.shape_.resize(now.vertices_.values().size());
+  now.pieces_.resize(surface.pieces);
   std::vector<const Vec3*> known_shape(surface.size.size(), nullptr);
-  for (std::size_t p = 0; p < pieces_before.size(); ++p) {
-    const int piece = known.pieces[p];
-    if (piece < 0 || !pieces_before[p].is_followed) continue;
-    pieces_[piece] = pieces_before[p];
-    pieces_[piece].size = 0;
-    for (int i = vertices_before.start(static_cast<int>(p)); i < vertices_before.start(static_cast<int>(p) + 1); ++i)
-      if (const int v = known.vertices[vertices_before.values()[i]]; v >= 0) known_shape[v] = &shape_before[i];
+  for (int p = 0; p < static_cast<int>(pieces_.size()); ++p) {
+    if (known.pieces[p] < 0 || !pieces_[p].is_followed) continue;
+    now.pieces_[known.pieces[p]] = pieces_[p];
+    now.pieces_[known.pieces[p]].size = 0;
+    for (int i = vertices_.start(p); i < vertices_.start(p + 1); ++i)
+      if (const int v = known.vertices[vertices_.values()[i]]; v >= 0) known_shape[v] = &shape_[i];
   }
   for (std::size_t v = 0; v < surface.size.size(); ++v) {
-    double& size = pieces_[surface.vertex_piece[v]].size;
+    double& size = now.pieces_[surface.vertex_piece[v]].size;
     size = std::max(size, surface.size[v]);
   }
   for (int piece = 0; piece < surface.pieces; ++piece)
-    if (pieces_[piece].is_followed) goOn(x, known_shape, piece);
+    if (now.pieces_[piece].is_followed) now.goOn(x, known_shape, piece);
+  *this = std::move(now);
 }
 
 /// A piece that has other vertices than it had.

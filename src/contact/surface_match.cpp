@@ -33,13 +33,13 @@ class Matcher {
  public:
   Matcher(const SurfaceOutline& before, const ContactSurface& now) : before_(before), now_(now) {}
 
-  SurfaceMatch run(int pieces_before) {
+  SurfaceMatch run() {
     matchVertices();
     matchTriangles();
     findWhole();
     matchSamples();
     matchEdges();
-    matchPieces(pieces_before);
+    matchPieces();
     match_.new_triangles = others(match_.triangles, static_cast<int>(now_.surface->triangles.size()));
     match_.new_samples = others(match_.samples, static_cast<int>(now_.samples.size()));
     match_.new_edges = others(match_.edges, static_cast<int>(now_.edges.size()));
@@ -126,11 +126,11 @@ class Matcher {
     }
   }
 
-  void matchPieces(int pieces_before) {
+  void matchPieces() {
     constexpr int NONE = -1, SEVERAL = -2;
     const auto note = [](int piece, int* at) { *at = *at == NONE || *at == piece ? piece : SEVERAL; };
     std::vector<int> from(now_.pieces, NONE);
-    match_.pieces.assign(pieces_before, NONE);
+    match_.pieces.assign(before_.pieces, NONE);
     for (std::size_t v = 0; v < before_.vertices.size(); ++v) {
       if (match_.vertices[v] < 0) continue;
       const int was = before_.vertex_piece[v], is = now_.vertex_piece[match_.vertices[v]];
@@ -152,6 +152,7 @@ class Matcher {
 SurfaceOutline::SurfaceOutline(const ContactSurface& surface)
     : vertices(surface.surface->vertices),
       triangles(surface.surface->triangles),
+      pieces(surface.pieces),
       vertex_piece(surface.vertex_piece),
       sample_start(surface.sample_start),
       around(surface.around),
@@ -159,8 +160,6 @@ SurfaceOutline::SurfaceOutline(const ContactSurface& surface)
       samples(surface.samples),
       edges(surface.edges) {}
 
-SurfaceMatch match(const SurfaceOutline& before, int pieces_before, const ContactSurface& now) {
-  return Matcher(before, now).run(pieces_before);
-}
+SurfaceMatch match(const SurfaceOutline& before, const ContactSurface& now) { return Matcher(before, now).run(); }
 
 }  // namespace incision

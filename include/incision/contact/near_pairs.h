@@ -33,6 +33,7 @@ class NearPairs {
     double size = 0;                    // the larger one of the two [m],
     double reach = 0;                   // and its reach [m],
     Reach searched = {0, 0};            // and so how far in all
+    bool is_searched = false;           // to the end
     bool is_incomplete = false;         // it lacks what is fresh
   };
 
@@ -70,7 +71,9 @@ class NearPairs {
     std::vector<std::pair<int, int>> edges;
   };
 
-  void keepPairs(int pieces, const SurfaceMatch& known);
+  using Pairs = std::vector<std::vector<std::unique_ptr<Pair>>>;  // of each piece, those with later ones
+
+  Pairs kept(Pairs* before, const SurfaceMatch& known) const;
   void renumber(const SurfaceMatch& known, Pair* pair) const;
   void addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   double needed(const Pair& pair) const;
@@ -86,8 +89,8 @@ class NearPairs {
   Lists<int> samples_of_, edges_of_;            // each triangle: those that it stands for
   double base_margin_ = 0, margin_of_one_ = 0;  // of two pieces, and of a piece with itself [m]
   int searches_ = 0;
-  std::vector<std::vector<std::unique_ptr<Pair>>> pairs_;  // of each piece, those with later ones
-  std::vector<std::pair<double, int>> sweep_;              // pieces by where they begin along x
+  Pairs pairs_;
+  std::vector<std::pair<double, int>> sweep_;  // pieces by where they begin along x
   std::vector<std::pair<int, int>> close_;
   std::vector<Pair*> active_, stale_, incomplete_;
   std::vector<int> to_place_;

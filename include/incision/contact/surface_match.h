@@ -12,6 +12,7 @@ namespace incision {
 struct SurfaceOutline {
   std::vector<SurfaceVertex> vertices;
   std::vector<std::array<int, 3>> triangles;
+  int pieces = 0;
   std::vector<int> vertex_piece;
   std::vector<int> sample_start, around, edge_start;
   std::vector<ContactSurface::Sample> samples;
@@ -32,6 +33,6 @@ struct SurfaceMatch {
   std::vector<int> new_triangles, new_samples, new_edges;
 };
 
-SurfaceMatch match(const SurfaceOutline& before, int pieces_before, const ContactSurface& now);
+SurfaceMatch match(const SurfaceOutline& before, const ContactSurface& now);
 
 }  // namespace incision
