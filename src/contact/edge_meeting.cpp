@@ -34,21 +34,10 @@ bool liesBehind(const SkinInStep& skin, const SkinEdge& edge, const Vec3& n, dou
   return true;
 }
 
-/// Where the lines through two edges come nearest to each other after a share of the step.
-struct Crossing {
-  double s, t;    // along the one edge and the other
-  Vec3 n;         // unit, at right angles to both
-  double apart;   // along n, from the other to the one [m]
-  bool parallel;  // or nearly: then there is nothing else
-};
-
-Crossing crossingAfter(const SkinInStep& skin, const SkinEdge& e, const SkinEdge& f, double share) {
-  const Vec3 a = skin.at(e.from, share), b = skin.at(f.from, share), d = a - b;
-  const Vec3 u = skin.at(e.to, share) - a, v = skin.at(f.to, share) - b, across = u.cross(v);
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), square = across.squaredNorm();
-  if (!(square > PARALLEL * PARALLEL * uu * vv)) return {0, 0, Vec3::Zero(), 0, true};
-  const Vec3 n = across / std::sqrt(square);
-  return {(uv * v.dot(d) - vv * u.dot(d)) / square, (uu * v.dot(d) - uv * u.dot(d)) / square, n, n.dot(d), false};
+/// As the edges are after a share of the step.
+EdgeCrossing crossingAfter(const SkinInStep& skin, const SkinEdge& e, const SkinEdge& f, double share) {
+  const Vec3 a = skin.at(e.from, share), b = skin.at(f.from, share);
+  return crossingOf(a, skin.at(e.to, share) - a, b, skin.at(f.to, share) - b);
 }
 
 /// The share of the step after which lines that are so far apart when it starts and ends cross, or are nearest.
@@ -60,9 +49,9 @@ double crossingTime(double start, double end) {
 /// As the edges are after a share of the step; the faces beside each must lie behind the other.
 std::optional<EdgeMeeting> meetAfter(const SkinInStep& skin, int edge, int other, double share) {
   const SkinEdge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
-  const Crossing at = crossingAfter(skin, e, f, share);
-  if (at.parallel || !(std::min(at.s, at.t) > AT_END && std::max(at.s, at.t) < 1 - AT_END)) return std::nullopt;
-  Vec3 n = at.n;
+  const EdgeCrossing at = crossingAfter(skin, e, f, share);
+  if (!at.isWithin(AT_END)) return std::nullopt;
+  Vec3 n = at.normal;
   if (!liesBehind(skin, f, n, share)) n = -n;
   if (!liesBehind(skin, f, n, share) || !liesBehind(skin, e, -n, share)) return std::nullopt;
   const auto apart = [&](const std::vector<Vec3>& values) -> Vec3 {
@@ -76,13 +65,21 @@ std::optional<EdgeMeeting> meetAfter(const SkinInStep& skin, int edge, int other
 
 }  // namespace
 
+EdgeCrossing crossingOf(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v) {
+  const Vec3 d = a - b, across = u.cross(v);
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), square = across.squaredNorm();
+  if (!(square > PARALLEL * PARALLEL * uu * vv)) return {0, 0, Vec3::Zero(), 0, true};
+  const Vec3 n = across / std::sqrt(square);
+  return {(uv * v.dot(d) - vv * u.dot(d)) / square, (uu * v.dot(d) - uv * u.dot(d)) / square, n, n.dot(d), false};
+}
+
 std::optional<EdgeMeeting> meetEdges(const SkinInStep& skin, int edge, int other) {
   const SkinEdge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
-  const Crossing start = crossingAfter(skin, e, f, 0), end = crossingAfter(skin, e, f, 1);
+  const EdgeCrossing start = crossingAfter(skin, e, f, 0), end = crossingAfter(skin, e, f, 1);
   const double far = MARGIN * std::min(skin.surface.size[e.from], skin.surface.size[f.from]);
   if (std::min(start.apart, end.apart) > far || std::max(start.apart, end.apart) < -far) return std::nullopt;
   const double share = start.parallel ? 1 : end.parallel ? 0 : crossingTime(start.apart, end.apart);
-  if (share > 0 && start.n.dot(end.n) > SAME_WAY)
+  if (share > 0 && start.normal.dot(end.normal) > SAME_WAY)
     if (const std::optional<EdgeMeeting> met = meetAfter(skin, edge, other, share); met && met->gap >= 0) return met;
   return meetAfter(skin, edge, other, 0);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "incision/base/sort_once.h"
+#include "incision/contact/edge_meeting.h"
 #include "incision/contact/face_meeting.h"
 
 namespace incision {
@@ -28,11 +29,9 @@ double depthBehind(const ContactSurface& surface, const Candidate& candidate, co
 /// How deep two edges that still cross are in each other [m]; below zero where they do not.
 double depthOfEdges(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
   const ContactSurface::Edge &e = surface.edges[candidate.sample], &f = surface.edges[candidate.other];
-  const Vec3 a = vertexAt(surface, e.from, x), b = vertexAt(surface, f.from, x), d = a - b;
-  const Vec3 u = vertexAt(surface, e.to, x) - a, v = vertexAt(surface, f.to, x) - b, across = u.cross(v);
-  const double square = across.squaredNorm(), s = across.dot(v.cross(d)), t = across.dot(u.cross(d));
-  if (!(std::min(s, t) > 0 && std::max(s, t) < square)) return -1;
-  return -std::copysign(1.0, across.dot(candidate.normal)) * across.stableNormalized().dot(d);
+  const Vec3 a = vertexAt(surface, e.from, x), b = vertexAt(surface, f.from, x);
+  const EdgeCrossing at = crossingOf(a, vertexAt(surface, e.to, x) - a, b, vertexAt(surface, f.to, x) - b);
+  return at.isWithin(0) ? -at.apart * std::copysign(1.0, at.normal.dot(candidate.normal)) : -1;
 }
 
 }  // namespace

@@ -234,12 +234,11 @@ void fragmentSearch(State& state) {
   const Surface surface = buildSurface(mesh);
   const ContactSurface contact = makeContactSurface(surface, mesh, bar.materials, mesh.copyPieces(&pieces));
   const std::vector<Vec3> vertices = surfacePositions(surface, x), still(vertices.size(), Vec3::Zero());
-  FragmentFinder finder;
   std::vector<Candidate> candidates;
   const auto triangles = static_cast<double>(surface.triangles.size());
   double seconds = 0;
   measure(state, bar, 2 * VECTOR * static_cast<double>(vertices.size()) + 3 * sizeof(int) * triangles, [&] {
-    finder.surfaceChanged();
+    FragmentFinder finder;  // without a past
     candidates.clear();
     return seconds = secondsOf([&] { finder.find(contact, vertices, still, {}, THREADS, &candidates); });
   });

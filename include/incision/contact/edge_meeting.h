@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "incision/contact/skin_in_step.h"
@@ -14,6 +15,20 @@ struct EdgeMeeting {
   double gap;            ///< along the normal when the step starts [m]
   bool goes_on = false;  ///< from a meeting in the last step
 };
+
+/// Where the lines through two edges come nearest to each other.
+struct EdgeCrossing {
+  double s, t;    ///< along the one edge and the other, each of which goes from 0 to 1
+  Vec3 normal;    ///< unit, at right angles to both
+  double apart;   ///< along it, from the other to the one [m]
+  bool parallel;  ///< or nearly: then there is nothing else
+
+  /// Whether that is between the ends of both, but for so much of each at its ends.
+  bool isWithin(double at_end) const { return !parallel && std::min(s, t) > at_end && std::max(s, t) < 1 - at_end; }
+};
+
+/// Of an edge that starts at `a` and goes by `u`, and another that starts at `b` and goes by `v` [m].
+EdgeCrossing crossingOf(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v);
 
 /// Whether two edges may meet in the step: they cross when they come nearest in it, or when it starts, and there the
 /// one's piece lies on one side of the plane through both, the other's piece on the other.
