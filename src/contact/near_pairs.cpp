@@ -122,22 +122,12 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
   searches_ += static_cast<int>(stale_.size());
 }
 
-void NearPairs::buildTrees(const ContactSurface& surface) {
-  trees_.build(surface);
-  const int triangles = static_cast<int>(surface.piece.size());
-  samples_of_.sort(triangles, [&](const auto& add) {
-    for (std::size_t s = 0; s < surface.samples.size(); ++s)
-      add(surface.around[surface.samples[s].first], static_cast<int>(s));
-  });
-  edges_of_.sort(triangles, [&](const auto& add) {
-    for (std::size_t e = 0; e < surface.edges.size(); ++e) add(surface.edges[e].triangle, static_cast<int>(e));
-  });
-  has_trees_ = true;
-}
-
 const PieceTrees& NearPairs::placeTrees(const ContactSurface& surface, const std::vector<Vec3>& x,
                                         const std::vector<int>& pieces, int threads) {
-  if (!pieces.empty() && !has_trees_) buildTrees(surface);
+  if (!pieces.empty() && !has_trees_) {
+    trees_.build(surface);
+    has_trees_ = true;
+  }
   parallelFor(static_cast<int>(pieces.size()), threads, [&](int i) {
     if (!std::exchange(placed_[pieces[i]], true)) trees_.place(surface, x, pieces[i]);
   });
@@ -214,17 +204,11 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
   parallelFor(static_cast<int>(shares_.size()), threads, [&](int i) {
     Share& share = shares_[i];
     const Pair& pair = *stale_[share.stale];
-    const bool of_one = pair.a == pair.b;
-    trees_.forEachClose(share.nodes, pair.searched.further, [&](int t, int other) {
-      if (t == other) return;
-      for (int s : samples_of_[t])
-        if (mayMeet(surface, x, s, other, pair.searched, of_one)) share.faces.push_back({s, other});
-      for (int s : samples_of_[other])
-        if (mayMeet(surface, x, s, t, pair.searched, of_one)) share.faces.push_back({s, t});
-      if (of_one) return;
-      for (int e : edges_of_[t])
-        for (int f : edges_of_[other])
-          if (mayMeetEdges(surface, x, e, f, pair.searched.further)) share.edges.emplace_back(e, f);
+    trees_.forEachClose(share.nodes, pair.searched.further, [&](int one, int other) {
+      if (share.nodes.of_edges)
+        share.edges.emplace_back(one, other);
+      else if (mayMeet(surface, x, one, other, pair.searched, pair.a == pair.b))
+        share.faces.push_back({one, other});
     });
   });
   for (const Share& share : shares_) {

@@ -22,10 +22,21 @@ void PieceTrees::build(const ContactSurface& surface) {
   for (int piece = 0; piece < surface.pieces; ++piece) {
     start_.push_back(static_cast<int>(nodes_.size()));
     if (of_piece[piece].size() == 0) continue;
-    nodes_.push_back({{}, of_piece.start(piece), of_piece.start(piece + 1)});
+    nodes_.push_back({{}, {}, {}, of_piece.start(piece), of_piece.start(piece + 1)});
     for (int node = start_.back(); node < static_cast<int>(nodes_.size()); ++node) split(centres, node);
   }
   start_.push_back(static_cast<int>(nodes_.size()));
+  std::vector<int> place(order_.size());  // of each triangle in order_
+  for (std::size_t i = 0; i < order_.size(); ++i) place[order_[i]] = static_cast<int>(i);
+  samples_.sort(static_cast<int>(order_.size()), [&](const auto& add) {
+    for (std::size_t s = 0; s < surface.samples.size(); ++s)
+      add(place[surface.around[surface.samples[s].first]], static_cast<int>(s));
+  });
+  edges_.sort(static_cast<int>(order_.size()), [&](const auto& add) {
+    for (std::size_t e = 0; e < surface.edges.size(); ++e) add(place[surface.edges[e].triangle], static_cast<int>(e));
+  });
+  points_.resize(samples_.values().size());
+  lines_.resize(edges_.values().size());
 }
 
 /// In halves across the longest way.
@@ -40,33 +51,35 @@ void PieceTrees::split(const std::vector<Vec3>& centres, int node) {
     return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
   });
   nodes_[node].children = static_cast<int>(nodes_.size());
-  nodes_.push_back({{}, begin, middle});
-  nodes_.push_back({{}, middle, end});
+  nodes_.push_back({{}, {}, {}, begin, middle});
+  nodes_.push_back({{}, {}, {}, middle, end});
+}
+
+bool PieceTrees::areClose(const Share& share, double reach) const {
+  const Node &m = nodes_[share.one], &n = nodes_[share.other];
+  return share.of_edges ? incision::areClose(m.lines, n.lines, reach) : incision::areClose(m.points, n.box, reach);
 }
 
 /// Puts the shares that children make in the place of a share; returns false where both nodes are leaves.
 bool PieceTrees::divide(const Share& share, std::vector<Share>* open) const {
-  const auto [i, k] = share;
-  const Node &m = nodes_[i], &n = nodes_[k];
+  const Node &m = nodes_[share.one], &n = nodes_[share.other];
   if (m.children < 0 && n.children < 0) return false;
-  if (i == k) {
-    open->insert(open->end(),
-                 {{m.children, m.children}, {m.children, m.children + 1}, {m.children + 1, m.children + 1}});
-  } else if (n.children < 0 || (m.children >= 0 && m.end - m.begin >= n.end - n.begin)) {
-    open->insert(open->end(), {{m.children, k}, {m.children + 1, k}});
-  } else {
-    open->insert(open->end(), {{i, n.children}, {i, n.children + 1}});
-  }
+  for (int child = 0; child < 2; ++child)
+    if (n.children < 0 || (m.children >= 0 && m.end - m.begin >= n.end - n.begin))
+      open->push_back({share.of_edges, m.children + child, share.other});
+    else
+      open->push_back({share.of_edges, share.one, n.children + child});
   return true;
 }
 
 std::vector<PieceTrees::Share> PieceTrees::shares(int a, int b, double reach, std::size_t most) const {
   std::vector<Share> found;
   if (start_[a] == start_[a + 1] || start_[b] == start_[b + 1]) return found;
-  found.emplace_back(start_[a], start_[b]);
+  found.push_back({false, start_[a], start_[b]});
+  if (a != b) found.insert(found.end(), {{false, start_[b], start_[a]}, {true, start_[a], start_[b]}});
   for (std::size_t next = 0; next < found.size() && found.size() - next < most;) {
     const Share share = found[next];
-    if (areClose(nodes_[share.first].box, nodes_[share.second].box, reach) && !divide(share, &found)) {
+    if (areClose(share, reach) && !divide(share, &found)) {
       ++next;
     } else {
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(next));
@@ -78,16 +91,32 @@ std::vector<PieceTrees::Share> PieceTrees::shares(int a, int b, double reach, st
 void PieceTrees::place(const ContactSurface& surface, const std::vector<Vec3>& x, int piece) {
   for (int i = start_[piece + 1] - 1; i >= start_[piece]; --i) {
     Node& node = nodes_[i];
-    node.box.setEmpty();
-    if (node.children >= 0) {
-      node.box = nodes_[node.children].box.merged(nodes_[node.children + 1].box);
+    if (node.children < 0) {
+      placeLeaf(surface, x, &node);
       continue;
     }
-    for (int k = node.begin; k < node.end; ++k) {
-      boxes_[k].setEmpty();
-      for (int v : surface.surface->triangles[order_[k]]) boxes_[k].extend(x[v]);
-      node.box.extend(boxes_[k]);
-    }
+    const Node &one = nodes_[node.children], &other = nodes_[node.children + 1];
+    node.box = one.box.merged(other.box);
+    node.points = one.points.merged(other.points);
+    node.lines = one.lines.merged(other.lines);
+  }
+}
+
+void PieceTrees::placeLeaf(const ContactSurface& surface, const std::vector<Vec3>& x, Node* node) {
+  for (auto* box : {&node->box, &node->points, &node->lines}) box->setEmpty();
+  for (int k = node->begin; k < node->end; ++k) {
+    boxes_[k].setEmpty();
+    for (int v : surface.surface->triangles[order_[k]]) boxes_[k].extend(x[v]);
+    node->box.extend(boxes_[k]);
+  }
+  for (int s = samples_.start(node->begin); s < samples_.start(node->end); ++s) {
+    points_[s] = x[surface.samples[samples_.values()[s]].vertex];
+    node->points.extend(points_[s]);
+  }
+  for (int e = edges_.start(node->begin); e < edges_.start(node->end); ++e) {
+    const ContactSurface::Edge& edge = surface.edges[edges_.values()[e]];
+    lines_[e] = Eigen::AlignedBox3d(x[edge.from]).extend(x[edge.to]);
+    node->lines.extend(lines_[e]);
   }
 }
 

@@ -61,7 +61,6 @@ class NearPairs {
   int searches() const { return searches_; }
 
  private:
-  void buildTrees(const ContactSurface& surface);
   void findClosePieces(double reach);
   /// A part of a search, and what it has found.
   struct Share {
@@ -86,7 +85,6 @@ class NearPairs {
   FreshThings fresh_;
   PieceTrees trees_;
   bool has_trees_ = false;                      // of the surface there is
-  Lists<int> samples_of_, edges_of_;            // each triangle: those that it stands for
   double base_margin_ = 0, margin_of_one_ = 0;  // of two pieces, and of a piece with itself [m]
   int searches_ = 0;
   Pairs pairs_;

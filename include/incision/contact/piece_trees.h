@@ -16,8 +16,9 @@ inline bool areClose(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b,
   return (a.min().array() <= b.max().array() + reach).all() && (b.min().array() <= a.max().array() + reach).all();
 }
 
-/// Trees of boxes round the triangles of each piece. Their shape is that of the body at rest, and stays until the
-/// surface changes; where the boxes are is found anew for the pieces that are looked at.
+/// Trees of boxes round the triangles of each piece, and round the samples and the edges that these stand for. Their
+/// shape is that of the body at rest, and stays until the surface changes; where the boxes are is found anew for the
+/// pieces that are looked at.
 class PieceTrees {
  public:
   void build(const ContactSurface& surface);
@@ -25,16 +26,19 @@ class PieceTrees {
   /// Puts the boxes of a piece where its vertices are.
   void place(const ContactSurface& surface, const std::vector<Vec3>& x, int piece);
 
-  /// Two nodes whose triangles are to be compared, each of the one with each of the other.
-  using Share = std::pair<int, int>;
+  /// Two nodes of which the samples of the one are to be compared with the triangles of the other, or the edges of
+  /// both.
+  struct Share {
+    bool of_edges;
+    int one, other;
+  };
 
   /// What there is to compare of two pieces, divided into some shares that can be looked at each by itself, `most` or a
-  /// few more. Triangles that are not in one of them together do not come close by `reach` [m].
+  /// few more: samples of each with triangles of the other, and edges with edges; or samples and triangles of a piece
+  /// itself. What is not in one of them together does not come close by `reach` [m].
   std::vector<Share> shares(int a, int b, double reach, std::size_t most) const;
 
-  /// Calls f(triangle of the one, triangle of the other) where the boxes of two triangles of a share are close by
-  /// `reach` [m]. Of a piece and itself, over all shares it is called once for each two triangles, and for each with
-  /// itself.
+  /// Calls f(sample, triangle) or f(edge, edge) once for each two of a share whose boxes are close by `reach` [m].
   template <typename Function>
   void forEachClose(const Share& share, double reach, const Function& f) const;
 
@@ -48,16 +52,21 @@ class PieceTrees {
   static constexpr int DEPTH = 32;
 
   struct Node {
-    Eigen::AlignedBox3d box;
-    int begin, end;     // of the triangles in order_
-    int children = -1;  // two nodes from there on; −1: a leaf
+    Eigen::AlignedBox3d box, points, lines;  // round the triangles, the samples, the edges
+    int begin, end;                          // of the triangles in order_
+    int children = -1;                       // two nodes from there on; −1: a leaf
   };
 
   void split(const std::vector<Vec3>& centres, int node);
+  void placeLeaf(const ContactSurface& surface, const std::vector<Vec3>& x, Node* node);
+  bool areClose(const Share& share, double reach) const;
   bool divide(const Share& share, std::vector<Share>* open) const;
 
   std::vector<int> order_;                  // triangles, so that those of a node lie together
   std::vector<Eigen::AlignedBox3d> boxes_;  // of the triangles, in that order
+  Lists<int> samples_, edges_;              // that the triangles stand for, in that order
+  std::vector<Vec3> points_;                // where the samples are, in the order of samples_.values() [m]
+  std::vector<Eigen::AlignedBox3d> lines_;  // of the edges, in the order of edges_.values()
   std::vector<Node> nodes_;                 // those of a piece together, parents before their children
   std::vector<int> start_;                  // the first node of each piece, which is its root
 };
@@ -66,14 +75,19 @@ template <typename Function>
 void PieceTrees::forEachClose(const Share& share, double reach, const Function& f) const {
   std::vector<Share> open = {share};
   while (!open.empty()) {
-    const auto [i, k] = open.back();
+    const Share at = open.back();
     open.pop_back();
-    const Node &m = nodes_[i], &n = nodes_[k];
-    if (!areClose(m.box, n.box, reach)) continue;
-    if (divide({i, k}, &open)) continue;
-    for (int s = m.begin; s < m.end; ++s)
-      for (int t = i == k ? s : n.begin; t < n.end; ++t)
-        if (areClose(boxes_[s], boxes_[t], reach)) f(order_[s], order_[t]);
+    if (!areClose(at, reach) || divide(at, &open)) continue;
+    const Node &m = nodes_[at.one], &n = nodes_[at.other];
+    if (at.of_edges) {
+      for (int e = edges_.start(m.begin); e < edges_.start(m.end); ++e)
+        for (int k = edges_.start(n.begin); k < edges_.start(n.end); ++k)
+          if (incision::areClose(lines_[e], lines_[k], reach)) f(edges_.values()[e], edges_.values()[k]);
+      continue;
+    }
+    for (int s = samples_.start(m.begin); s < samples_.start(m.end); ++s)
+      for (int t = n.begin; t < n.end; ++t)
+        if (incision::areClose(Eigen::AlignedBox3d(points_[s]), boxes_[t], reach)) f(samples_.values()[s], order_[t]);
   }
 }
 
