@@ -80,9 +80,8 @@ Lists<Side> sidesOfEdges(const Surface& surface) {
 }
 
 bool isSharp(const ContactSurface& surface, const Side& one, const Side& other) {
-  const Vec3 n = restArea(surface, one.triangle), m = restArea(surface, other.triangle);
-  const bool convex = n.dot(surface.rest[other.opposite] - surface.rest[one.from]) < 0;
-  return convex && n.dot(m) < FLAT_COSINE * n.norm() * m.norm();
+  const Vec3 &n = surface.rest_normal[one.triangle], &m = surface.rest_normal[other.triangle];
+  return n.dot(surface.rest[other.opposite] - surface.rest[one.from]) < 0 && n.dot(m) < FLAT_COSINE;
 }
 
 void addEdges(ContactSurface* surface) {
@@ -112,13 +111,11 @@ class Builder {
     made_.area.assign(vertices, 0);
     made_.young_modulus.assign(vertices, 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      areas_.push_back(restArea(made_, static_cast<int>(t)));
-      lengths_.push_back(areas_.back().norm());
       const int element = mesh.parts()[made_.surface->part[t]].element;
       const double size = materials.size(element);
       for (int v : triangles[t]) {
         made_.size[v] += size;
-        made_.area[v] += lengths_[t] / 3;
+        made_.area[v] += made_.rest_area[t] / 3;
         made_.young_modulus[v] = std::max(made_.young_modulus[v], materials.youngModulus(element));
       }
     }
@@ -145,14 +142,13 @@ class Builder {
     const bool cut = made_.surface->cut_face[left_.front()];
     std::size_t others = 0;
     for (int t : left_) {
-      const Vec3& a = areas_[t];
-      const bool flat = sum.isZero(0) || a.dot(sum) > MIN_COSINE * lengths_[t] * sum.norm();
+      const bool flat = sum.isZero(0) || made_.rest_normal[t].dot(sum) > MIN_COSINE * sum.norm();
       if (made_.surface->cut_face[t] != cut || !flat) {
         left_[others++] = t;
         continue;
       }
-      sum += a;
-      sample.area += lengths_[t] / 3;
+      sum += made_.rest_area[t] * made_.rest_normal[t];
+      sample.area += made_.rest_area[t] / 3;
       made_.around.push_back(t);
     }
     left_.resize(others);
@@ -161,9 +157,7 @@ class Builder {
   }
 
   ContactSurface& made_;
-  std::vector<Vec3> areas_;      // of each triangle at rest [m²],
-  std::vector<double> lengths_;  // and their lengths
-  std::vector<int> left_;        // triangles round a vertex that are in no sample yet
+  std::vector<int> left_;  // triangles round a vertex that are in no sample yet
 };
 
 }  // namespace
@@ -176,7 +170,12 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   for (int c = 0; c < mesh.numCopies(); ++c) X.push_back(mesh.mesh().nodes[mesh.copyNode(c)]);
   made.rest = surfacePositions(surface, X);
   for (const SurfaceVertex& vertex : surface.vertices) made.vertex_piece.push_back(piece[vertex.copies[0]]);
-  for (const auto& triangle : surface.triangles) made.piece.push_back(made.vertex_piece[triangle[0]]);
+  for (const auto& [a, b, c] : surface.triangles) {
+    made.piece.push_back(made.vertex_piece[a]);
+    const Vec3 twice = (made.rest[b] - made.rest[a]).cross(made.rest[c] - made.rest[a]);
+    made.rest_area.push_back(twice.norm() / 2);
+    made.rest_normal.push_back(twice.stableNormalized());
+  }
   Builder(&made).run(mesh, materials);
   addEdges(&made);
   for (int p : piece) made.pieces = std::max(made.pieces, p + 1);
@@ -189,14 +188,9 @@ ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, c
   return made;
 }
 
-Vec3 restArea(const ContactSurface& surface, int triangle) {
-  const auto& [a, b, c] = surface.surface->triangles[triangle];
-  return 0.5 * (surface.rest[b] - surface.rest[a]).cross(surface.rest[c] - surface.rest[a]);
-}
-
 bool hasAreaAtRest(const ContactSurface& surface, int triangle) {
   const double size = surface.size[surface.surface->triangles[triangle][0]];
-  return 2 * restArea(surface, triangle).norm() > MIN_OVERLAP * size * size;
+  return 2 * surface.rest_area[triangle] > MIN_OVERLAP * size * size;
 }
 
 void addVertex(const SurfaceVertex& vertex, double sign, Spring* spring) {

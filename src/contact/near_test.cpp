@@ -28,10 +28,9 @@ bool staysApart(const ContactSurface& surface, const ContactSurface::Sample& sam
   const Vec3 from = surface.rest[sample.vertex] - surface.rest[surface.surface->triangles[triangle][0]];
   const double size = surface.size[sample.vertex], distance = from.norm();
   if (distance >= NEAR_AT_REST * size) return false;
-  const Vec3 N = restArea(surface, triangle);
-  if (N.dot(from) < -SAME_PLANE * size * N.norm()) return true;
-  const Vec3 M = restArea(surface, surface.around[sample.first]);
-  return distance < BESIDE_AT_REST * size && N.dot(M) > ONE_SIDE * N.norm() * M.norm();
+  const Vec3& N = surface.rest_normal[triangle];
+  if (N.dot(from) < -SAME_PLANE * size) return true;
+  return distance < BESIDE_AT_REST * size && N.dot(surface.rest_normal[surface.around[sample.first]]) > ONE_SIDE;
 }
 
 /// Whether a point is at most so far from a triangle's plane, and as seen along its normal beside no edge by more than

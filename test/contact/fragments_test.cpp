@@ -87,6 +87,7 @@ TEST(FragmentFinder, TakesNoTriangleWithoutAreaAtRest) {
   rig.cut(plane(Vec3(0.5, 0.5, 0.45), Vec3::UnitZ()));
   EXPECT_FALSE(rig.find().empty());
   for (Vec3& X : rig.contact.rest) X = Vec3(0.5, 0.5, X.z());
+  for (double& area : rig.contact.rest_area) area = 0;
   rig.contact.edges.clear();
   EXPECT_TRUE(rig.afresh().empty());
 }

@@ -29,6 +29,8 @@ struct ContactSurface {
 
   const Surface* surface = nullptr;
   std::vector<Vec3> rest;             ///< of each vertex [m]
+  std::vector<Vec3> rest_normal;      ///< of each triangle, unit; zero where it has no area
+  std::vector<double> rest_area;      ///< of each triangle [m²]
   std::vector<double> size;           ///< of the elements round each vertex, the mean of their sizes [m]
   std::vector<double> young_modulus;  ///< of the stiffest element round each vertex [Pa]
   std::vector<double> area;           ///< of each vertex: a third of its triangles' at rest [m²]
@@ -50,9 +52,6 @@ struct ContactSurface {
 /// `surface` must outlive the result; `piece` of each copy.
 ContactSurface makeContactSurface(const Surface& surface, const CutMesh& mesh, const Materials& materials,
                                   const std::vector<int>& piece);
-
-/// A triangle's normal at rest, its area long [m²].
-Vec3 restArea(const ContactSurface& surface, int triangle);
 
 /// Whether a triangle has an area at rest. Those that have none close the surface between parts that neither hang
 /// together nor are severed; their corners may belong to several parts, to more copies than a spring has room for.
