@@ -34,10 +34,11 @@ bool liesBehind(const SkinInStep& skin, const SkinEdge& edge, const Vec3& n, dou
   return true;
 }
 
-/// As the edges are after a share of the step.
+/// As the edges are after a share of the step. Of parallel ones nothing else is told.
 EdgeCrossing crossingAfter(const SkinInStep& skin, const SkinEdge& e, const SkinEdge& f, double share) {
   const Vec3 a = skin.at(e.from, share), b = skin.at(f.from, share);
-  return crossingOf(a, skin.at(e.to, share) - a, b, skin.at(f.to, share) - b);
+  const EdgeCrossing at = crossingOf(a, skin.at(e.to, share) - a, b, skin.at(f.to, share) - b);
+  return at.parallel ? EdgeCrossing{0, 0, Vec3::Zero(), 0, true} : at;
 }
 
 /// The share of the step after which lines that are so far apart when it starts and ends cross, or are nearest.
@@ -50,7 +51,7 @@ double crossingTime(double start, double end) {
 std::optional<EdgeMeeting> meetAfter(const SkinInStep& skin, int edge, int other, double share) {
   const SkinEdge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
   const EdgeCrossing at = crossingAfter(skin, e, f, share);
-  if (!at.isWithin(AT_END)) return std::nullopt;
+  if (at.parallel || !at.isWithin(AT_END)) return std::nullopt;
   Vec3 n = at.normal;
   if (!liesBehind(skin, f, n, share)) n = -n;
   if (!liesBehind(skin, f, n, share) || !liesBehind(skin, e, -n, share)) return std::nullopt;
@@ -68,9 +69,10 @@ std::optional<EdgeMeeting> meetAfter(const SkinInStep& skin, int edge, int other
 EdgeCrossing crossingOf(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v) {
   const Vec3 d = a - b, across = u.cross(v);
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), square = across.squaredNorm();
-  if (!(square > PARALLEL * PARALLEL * uu * vv)) return {0, 0, Vec3::Zero(), 0, true};
+  if (!(square > 0)) return {0, 0, Vec3::Zero(), 0, true};
   const Vec3 n = across / std::sqrt(square);
-  return {(uv * v.dot(d) - vv * u.dot(d)) / square, (uu * v.dot(d) - uv * u.dot(d)) / square, n, n.dot(d), false};
+  return {(uv * v.dot(d) - vv * u.dot(d)) / square, (uu * v.dot(d) - uv * u.dot(d)) / square, n, n.dot(d),
+          square <= PARALLEL * PARALLEL * uu * vv};
 }
 
 std::optional<EdgeMeeting> meetEdges(const SkinInStep& skin, int edge, int other) {

@@ -271,8 +271,8 @@ bool ImplicitStep::solve(double time, const Motion& motion, Couplers* couplers) 
   double reach = 0;
   for (const Vec3& x : base_.x) reach = std::max(reach, x.cwiseAbs().maxCoeff());
   const double tolerance = settings_.method == Method::DIRECT ? ATTAINABLE : settings_.tolerance;
-  return newton_.solve({this, couplers, time_step_, tolerance, settings_.iterations, ahead_, external_,
-                        time_step_ * reach, memory_.basis, piece_, held_, memory_.group, rigid_, base_.x},
+  return newton_.solve({this, couplers, time_step_, tolerance, settings_.threads, settings_.iterations, ahead_,
+                        external_, time_step_ * reach, memory_.basis, piece_, held_, memory_.group, rigid_, base_.x},
                        &norms_, &dv_);
 }
 

@@ -134,14 +134,14 @@ bool Newton::driveFreePieces(const StepProblem& p) const {
 /// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be. Returns
 /// false where that step is not wanted.
 bool Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
-  rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
+  rigid_guess_.find(p.rigid, p.time_step, p.threads, p.x, alone_, p.couplers, &moved_);
   findImpulses(p);
   shareImpulses();
   if (!p.equations->rebase(on_copies_)) return false;
   p.equations->residual(*dv, &alone_);
   place(p, *dv);
   // What the turn of the pieces has changed.
-  rigid_guess_.find(p.rigid, p.time_step, p.x, alone_, p.couplers, &moved_);
+  rigid_guess_.find(p.rigid, p.time_step, p.threads, p.x, alone_, p.couplers, &moved_);
   rigid_guess_.addTo(p.rigid, p.x, dv);
   p.equations->residual(*dv, &alone_);
   return true;

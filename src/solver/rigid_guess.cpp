@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "incision/base/parallel.h"
 #include "incision/base/sort_once.h"
 #include "incision/solver/line_search.h"
 #include "incision/solver/rigid_modes.h"
@@ -42,30 +43,42 @@ struct RigidGuess::Work {
     Motions driving, q, right, step;
   };
 
+  /// A spring that adds to a block by two of its ends, of which the row's piece does not come before the column's; or
+  /// to what drives a piece, by one.
+  struct Use {
+    int spring, row, column;
+  };
+
+  int threads = 1;
   std::vector<int> number;                 // of each piece among those that springs act on; −1: none does
   std::vector<int> piece;                  // of each number
   Lists<End> ends;                         // of each spring
-  Lists<int> blocks_of;                    // of each spring, for its ends k ≥ l in turn
   std::vector<std::pair<int, int>> pairs;  // column and row of each block, ascending
+  std::vector<int> block_of;               // of two ends k ≥ l of a spring, of each in turn
+  Lists<Use> uses, drives;                 // of each block, and of each piece, by springs
   std::vector<Block> mass, blocks;         // of each piece; of each pair
   std::optional<Equations> equations;
   std::vector<Vec3> way, tried, expected;  // of each spring
+  std::vector<Eigen::Vector2d> terms;      // of each spring, to be added up or compared
 
   void findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs);
   void findPattern();
+  void findUses();
+  void sumSprings(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
   void drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies);
   bool findStep(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
   double searchLine(Couplers* couplers, const std::vector<Vec3>& moved);
-  bool isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved) const;
+  bool isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
   Motions momentum(const Motions& of) const;
 };
 
 RigidGuess::RigidGuess() : work_(std::make_unique<Work>()) {}
 RigidGuess::~RigidGuess() = default;
 
-void RigidGuess::find(const RigidPieces& rigid, double time_step, const std::vector<Vec3>& x,
+void RigidGuess::find(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
                       const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved) {
   Work& w = *work_;
+  w.threads = threads;
   w.findEnds(rigid, x, couplers->springs());
   couplers->takeBounds(*moved);
   couplers->update(*moved);
@@ -131,15 +144,15 @@ void RigidGuess::Work::findPattern() {
       for (const End& b : std::as_const(ends)[i])
         if (a.piece > b.piece) pairs.push_back(pairOf(a, b));
   sortOnce(&pairs);
-  blocks_of.clear();
+  block_of.clear();
   for (int i = 0; i < ends.count(); ++i) {
     const Span<const End> list = std::as_const(ends)[i];
     for (int k = 0; k < list.size(); ++k)
       for (int l = 0; l <= k; ++l)
-        blocks_of.append(
+        block_of.push_back(
             static_cast<int>(std::lower_bound(pairs.begin(), pairs.end(), pairOf(list[k], list[l])) - pairs.begin()));
-    blocks_of.finish();
   }
+  findUses();
   blocks.resize(pairs.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& [column, row] : pairs)
@@ -150,6 +163,24 @@ void RigidGuess::Work::findPattern() {
   fresh.matrix.resize(size, size);
   fresh.matrix.setFromTriplets(entries.begin(), entries.end());
   fresh.solver.analyzePattern(fresh.matrix);
+}
+
+void RigidGuess::Work::findUses() {
+  uses.sort(static_cast<int>(pairs.size()), [&](const auto& add) {
+    auto block = block_of.begin();
+    for (int i = 0; i < ends.count(); ++i) {
+      const Span<const End> list = std::as_const(ends)[i];
+      for (int k = 0; k < list.size(); ++k)
+        for (int l = 0; l <= k; ++l) {
+          const bool swapped = list[k].piece < list[l].piece;
+          add(*block++, Use{i, swapped ? l : k, swapped ? k : l});
+        }
+    }
+  });
+  drives.sort(static_cast<int>(piece.size()), [&](const auto& add) {
+    for (int i = 0; i < ends.count(); ++i)
+      for (int k = 0; k < std::as_const(ends)[i].size(); ++k) add(std::as_const(ends)[i][k].piece, Use{i, k, k});
+  });
 }
 
 void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies) {
@@ -177,28 +208,39 @@ Motions RigidGuess::Work::momentum(const Motions& of) const {
   return p;
 }
 
+/// The blocks, and what is on the right but for what the pieces' motions take of it. Each is summed by the springs in
+/// their order, whatever thread does it.
+void RigidGuess::Work::sumSprings(double time_step, const std::vector<Spring>& springs,
+                                  const std::vector<Vec3>& moved) {
+  const auto& all = std::as_const(ends);
+  parallelFor(static_cast<int>(pairs.size()), threads, [&](int b) {
+    const auto& [column, row] = pairs[static_cast<std::size_t>(b)];
+    Block& block = blocks[static_cast<std::size_t>(b)];
+    block = column == row ? mass[static_cast<std::size_t>(row)] : Block::Zero();
+    for (const Use& use : std::as_const(uses)[b]) {
+      const Spring& spring = springs[static_cast<std::size_t>(use.spring)];
+      if (!spring.isStiff()) continue;
+      const Mat3 K = time_step * time_step * spring.stiffness;
+      addModes(K, all[use.spring][use.row].seen, all[use.spring][use.column].seen, &block);
+    }
+  });
+  Motions& right = equations->right;
+  parallelFor(static_cast<int>(piece.size()), threads, [&](int n) {
+    for (const Use& use : std::as_const(drives)[n]) {
+      const auto i = static_cast<std::size_t>(use.spring);
+      const Vec3 impulse = time_step * springs[i].at(moved[i]);
+      const ModesSeen& seen = all[use.spring][use.row].seen;
+      right.segment<3>(MODES * n) += seen.a * impulse;
+      right.segment<3>(MODES * n + 3) += seen.b.cross(impulse);
+    }
+  });
+}
+
 /// The Newton step from q, and how far the springs' points go in it. Returns false where there is none.
 bool RigidGuess::Work::findStep(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved) {
   auto& [matrix, solver, driving, q, right, step] = *equations;
   right = driving - momentum(q);
-  for (Block& block : blocks) block.setZero();
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (pairs[k].first == pairs[k].second) blocks[k] = mass[static_cast<std::size_t>(pairs[k].first)];
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    const Span<const End> list = std::as_const(ends)[static_cast<int>(i)];
-    const Vec3 impulse = time_step * springs[i].at(moved[i]);
-    const Mat3 K = time_step * time_step * springs[i].stiffness;
-    const int* block = std::as_const(blocks_of)[static_cast<int>(i)].begin();
-    for (int k = 0; k < list.size(); ++k) {
-      right.segment<3>(MODES * list[k].piece) += list[k].seen.a * impulse;
-      right.segment<3>(MODES * list[k].piece + 3) += list[k].seen.b.cross(impulse);
-      for (int l = 0; l <= k && springs[i].isStiff(); ++l, ++block) {
-        const bool swapped = list[k].piece < list[l].piece;
-        const End &row = list[swapped ? l : k], &column = list[swapped ? k : l];
-        addModes(K, row.seen, column.seen, &blocks[static_cast<std::size_t>(*block)]);
-      }
-    }
-  }
+  sumSprings(time_step, springs, moved);
   // The blocks of a column lie one below the other in each of its six columns.
   for (std::size_t k = 0, end = 0; k < pairs.size(); k = end) {
     while (end < pairs.size() && pairs[end].first == pairs[k].first) ++end;
@@ -210,12 +252,14 @@ bool RigidGuess::Work::findStep(double time_step, const std::vector<Spring>& spr
   solver.factorize(matrix);
   if (solver.info() != Eigen::Success) return false;
   step = solver.solve(right);
-  way.assign(springs.size(), Vec3::Zero());
+  way.resize(springs.size());
   expected.resize(springs.size());
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    for (const End& end : std::as_const(ends)[static_cast<int>(i)]) way[i] += time_step * end.wayOf(step);
+  const Motions& found = step;
+  parallelFor(static_cast<int>(springs.size()), threads, [&](int i) {
+    way[i].setZero();
+    for (const End& end : std::as_const(ends)[i]) way[i] += time_step * end.wayOf(found);
     expected[i] = springs[i].at(moved[i] + way[i]);
-  }
+  });
   return step.allFinite();
 }
 
@@ -228,13 +272,17 @@ double RigidGuess::Work::searchLine(Couplers* couplers, const std::vector<Vec3>&
   double bend = 0;
   const auto slopeAt = [&](double share) {
     tried.resize(moved.size());
+    terms.resize(moved.size());
     for (std::size_t i = 0; i < moved.size(); ++i) tried[i] = moved[i] + share * way[i];
     couplers->update(tried);
+    parallelFor(static_cast<int>(moved.size()), threads, [&](int i) {
+      terms[i] = {way[i].dot(springs[i].at(tried[i])), way[i].dot(springs[i].stiffness * way[i])};
+    });
     double here = slope - share * curvature;
     bend = curvature;
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      here += way[i].dot(springs[i].at(tried[i]));
-      bend += way[i].dot(springs[i].stiffness * way[i]);
+    for (const Eigen::Vector2d& term : terms) {
+      here += term[0];
+      bend += term[1];
     }
     return here;
   };
@@ -249,14 +297,15 @@ double RigidGuess::Work::searchLine(Couplers* couplers, const std::vector<Vec3>&
   return search.share();
 }
 
-bool RigidGuess::Work::isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved) const {
-  double largest = 0, off = 0;
-  for (std::size_t i = 0; i < springs.size(); ++i) {
+bool RigidGuess::Work::isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved) {
+  terms.resize(springs.size());
+  parallelFor(static_cast<int>(springs.size()), threads, [&](int i) {
     const Vec3 force = springs[i].at(moved[i]);
-    largest = std::max({largest, force.squaredNorm(), expected[i].squaredNorm()});
-    off = std::max(off, (force - expected[i]).squaredNorm());
-  }
-  return off <= GOOD_ENOUGH * GOOD_ENOUGH * largest;
+    terms[i] = {std::max(force.squaredNorm(), expected[i].squaredNorm()), (force - expected[i]).squaredNorm()};
+  });
+  Eigen::Vector2d most = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& term : terms) most = most.cwiseMax(term);
+  return most[1] <= GOOD_ENOUGH * GOOD_ENOUGH * most[0];
 }
 
 }  // namespace incision

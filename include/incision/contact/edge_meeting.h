@@ -21,10 +21,10 @@ struct EdgeCrossing {
   double s, t;    ///< along the one edge and the other, each of which goes from 0 to 1
   Vec3 normal;    ///< unit, at right angles to both
   double apart;   ///< along it, from the other to the one [m]
-  bool parallel;  ///< or nearly: then there is nothing else
+  bool parallel;  ///< so nearly that all this means little
 
   /// Whether that is between the ends of both, but for so much of each at its ends.
-  bool isWithin(double at_end) const { return !parallel && std::min(s, t) > at_end && std::max(s, t) < 1 - at_end; }
+  bool isWithin(double at_end) const { return std::min(s, t) > at_end && std::max(s, t) < 1 - at_end; }
 };
 
 /// Of an edge that starts at `a` and goes by `u`, and another that starts at `b` and goes by `v` [m].

@@ -19,8 +19,8 @@ class RigidGuess {
   /// Finds the rigid motions of free pieces beside their base at which the couplers' forces and `driving` [N s], what
   /// drives each copy on where Δv = 0, balance; leaves the springs as they are there. `moved` [m], the displacements of
   /// their points where Δv = 0, goes along. `x` are the places of the base [m].
-  void find(const RigidPieces& rigid, double time_step, const std::vector<Vec3>& x, const std::vector<Vec3>& driving,
-            Couplers* couplers, std::vector<Vec3>* moved);
+  void find(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
+            const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved);
 
   /// Adds these motions to `dv` [m/s].
   void addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std::vector<Vec3>* dv) const;
