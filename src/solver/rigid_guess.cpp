@@ -1,15 +1,11 @@
 #include "incision/solver/rigid_guess.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "incision/base/parallel.h"
-#include "incision/base/sort_once.h"
 #include "incision/solver/line_search.h"
-#include "incision/solver/rigid_modes.h"
+#include "rigid_guess_work.h"
 
 namespace incision {
 namespace {
@@ -19,58 +15,7 @@ namespace {
 constexpr int MAX_STEPS = 100;
 constexpr double GOOD_ENOUGH = 1e-2;
 
-using Block = Eigen::Matrix<double, MODES, MODES>;
-using Motions = Eigen::VectorXd;  // of each piece its velocity [m/s], and its rate of turning [1/s]
-
 }  // namespace
-
-struct RigidGuess::Work {
-  /// What a spring sees of a piece's rigid motions.
-  struct End {
-    int piece;  // among those that springs act on
-    ModesSeen seen;
-
-    Vec3 wayOf(const Motions& q) const {
-      return seen.a * q.segment<3>(MODES * piece) + q.segment<3>(MODES * piece + 3).cross(seen.b);
-    }
-  };
-
-  /// What is solved for the pieces' motions. It is made anew for every guess: vectors of Eigen do not survive a change
-  /// of their size for which there is no memory, as they then free what they had a second time.
-  struct Equations {
-    Eigen::SparseMatrix<double> matrix;
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver;
-    Motions driving, q, right, step;
-  };
-
-  /// A spring that adds to a block by two of its ends, of which the row's piece does not come before the column's; or
-  /// to what drives a piece, by one.
-  struct Use {
-    int spring, row, column;
-  };
-
-  int threads = 1;
-  std::vector<int> number;                 // of each piece among those that springs act on; −1: none does
-  std::vector<int> piece;                  // of each number
-  Lists<End> ends;                         // of each spring
-  std::vector<std::pair<int, int>> pairs;  // column and row of each block, ascending
-  std::vector<int> block_of;               // of two ends k ≥ l of a spring, of each in turn
-  Lists<Use> uses, drives;                 // of each block, and of each piece, by springs
-  std::vector<Block> mass, blocks;         // of each piece; of each pair
-  std::optional<Equations> equations;
-  std::vector<Vec3> way, tried, expected;  // of each spring
-  std::vector<Eigen::Vector2d> terms;      // of each spring, to be added up or compared
-
-  void findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs);
-  void findPattern();
-  void findUses();
-  void sumSprings(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
-  void drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies);
-  bool findStep(double time_step, const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
-  double searchLine(Couplers* couplers, const std::vector<Vec3>& moved);
-  bool isGood(const std::vector<Spring>& springs, const std::vector<Vec3>& moved);
-  Motions momentum(const Motions& of) const;
-};
 
 RigidGuess::RigidGuess() : work_(std::make_unique<Work>()) {}
 RigidGuess::~RigidGuess() = default;
@@ -105,84 +50,6 @@ void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std
   }
 }
 
-void RigidGuess::Work::findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x,
-                                const std::vector<Spring>& springs) {
-  number.assign(rigid.pieces(), -1);
-  piece.clear();
-  ends.clear();
-  for (const Spring& spring : springs) {
-    for (int k = 0; k < spring.count; ++k) {
-      const auto copy = static_cast<std::size_t>(spring.copies[k]);
-      if (!rigid.isFree(copy)) continue;
-      const int of_copy = rigid.pieceOf(copy);
-      int& n = number[static_cast<std::size_t>(of_copy)];
-      if (n < 0) {
-        n = static_cast<int>(piece.size());
-        piece.push_back(of_copy);
-      }
-      const Span<End> known = ends.unfinished();
-      int at = 0;
-      while (at < known.size() && known[at].piece != n) ++at;
-      if (at == known.size()) ends.append({n, {0, Vec3::Zero()}});
-      End& end = ends.unfinished()[at];
-      end.seen.a += spring.weights[k];
-      end.seen.b += spring.weights[k] * (x[copy] - rigid.centreOf(of_copy));
-    }
-    ends.finish();
-  }
-}
-
-/// The lower triangle by columns: blocks on the diagonal, and where a spring lies between two pieces.
-void RigidGuess::Work::findPattern() {
-  pairs.clear();
-  for (std::size_t n = 0; n < piece.size(); ++n) pairs.emplace_back(n, n);
-  const auto pairOf = [](const End& a, const End& b) {
-    return std::pair(std::min(a.piece, b.piece), std::max(a.piece, b.piece));
-  };
-  for (int i = 0; i < ends.count(); ++i)
-    for (const End& a : std::as_const(ends)[i])
-      for (const End& b : std::as_const(ends)[i])
-        if (a.piece > b.piece) pairs.push_back(pairOf(a, b));
-  sortOnce(&pairs);
-  block_of.clear();
-  for (int i = 0; i < ends.count(); ++i) {
-    const Span<const End> list = std::as_const(ends)[i];
-    for (int k = 0; k < list.size(); ++k)
-      for (int l = 0; l <= k; ++l)
-        block_of.push_back(
-            static_cast<int>(std::lower_bound(pairs.begin(), pairs.end(), pairOf(list[k], list[l])) - pairs.begin()));
-  }
-  findUses();
-  blocks.resize(pairs.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const auto& [column, row] : pairs)
-    for (int j = 0; j < MODES; ++j)
-      for (int i = 0; i < MODES; ++i) entries.emplace_back(MODES * row + i, MODES * column + j, 1);
-  const auto size = static_cast<int>(MODES * piece.size());
-  Equations& fresh = equations.emplace();
-  fresh.matrix.resize(size, size);
-  fresh.matrix.setFromTriplets(entries.begin(), entries.end());
-  fresh.solver.analyzePattern(fresh.matrix);
-}
-
-void RigidGuess::Work::findUses() {
-  uses.sort(static_cast<int>(pairs.size()), [&](const auto& add) {
-    auto block = block_of.begin();
-    for (int i = 0; i < ends.count(); ++i) {
-      const Span<const End> list = std::as_const(ends)[i];
-      for (int k = 0; k < list.size(); ++k)
-        for (int l = 0; l <= k; ++l) {
-          const bool swapped = list[k].piece < list[l].piece;
-          add(*block++, Use{i, swapped ? l : k, swapped ? k : l});
-        }
-    }
-  });
-  drives.sort(static_cast<int>(piece.size()), [&](const auto& add) {
-    for (int i = 0; i < ends.count(); ++i)
-      for (int k = 0; k < std::as_const(ends)[i].size(); ++k) add(std::as_const(ends)[i][k].piece, Use{i, k, k});
-  });
-}
-
 void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies) {
   mass.assign(piece.size(), Block::Zero());
   for (std::size_t n = 0; n < piece.size(); ++n) {
@@ -199,7 +66,7 @@ void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& 
   }
 }
 
-Motions RigidGuess::Work::momentum(const Motions& of) const {
+RigidGuess::Work::Motions RigidGuess::Work::momentum(const Motions& of) const {
   Motions p(of.size());
   for (std::size_t n = 0; n < mass.size(); ++n) {
     const int at = MODES * static_cast<int>(n);

@@ -223,7 +223,8 @@ void cutInsert(State& state) {
   });
 }
 
-/// Where a cut bar may touch itself, looked for from scratch: the surface's vertices and triangles in.
+/// Where a cut bar may touch itself while it grows and shrinks, so that all is looked for anew each time: the surface's
+/// vertices and triangles in.
 void fragmentSearch(State& state) {
   const Bar bar(GRIDS[state.range(0)]);
   CutMesh mesh = bar.mesh;
@@ -234,13 +235,18 @@ void fragmentSearch(State& state) {
   const Surface surface = buildSurface(mesh);
   const ContactSurface contact = makeContactSurface(surface, mesh, bar.materials, mesh.copyPieces(&pieces));
   const std::vector<Vec3> vertices = surfacePositions(surface, x), still(vertices.size(), Vec3::Zero());
+  std::vector<Vec3> grown = vertices;
+  for (Vec3& vertex : grown) vertex *= 1.1;
+  bool is_grown = false;
+  FragmentFinder finder;
   std::vector<Candidate> candidates;
   const auto triangles = static_cast<double>(surface.triangles.size());
   double seconds = 0;
   measure(state, bar, 2 * VECTOR * static_cast<double>(vertices.size()) + 3 * sizeof(int) * triangles, [&] {
-    FragmentFinder finder;  // without a past
     candidates.clear();
-    return seconds = secondsOf([&] { finder.find(contact, vertices, still, {}, THREADS, &candidates); });
+    is_grown = !is_grown;
+    return seconds =
+               secondsOf([&] { finder.find(contact, is_grown ? grown : vertices, still, {}, THREADS, &candidates); });
   });
   state.counters["ns/triangle"] = 1e9 * seconds / triangles;
 }
