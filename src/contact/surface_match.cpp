@@ -14,9 +14,8 @@ std::array<int, 3> fromLowest(std::array<int, 3> triangle) {
   return triangle;
 }
 
-bool isSame(const SurfaceVertex& a, const SurfaceVertex& b) {
-  return a.copies == b.copies && (a.weights - b.weights).cwiseAbs().maxCoeff() <= SAME_POINT;
-}
+/// Places at rest that are farther from each other than this, in elements, are two.
+constexpr double ONE_PLACE = 1e-6;
 
 /// The numbers 0 … count − 1 that are none of those in `taken`.
 std::vector<int> others(const std::vector<int>& taken, int count) {
@@ -56,11 +55,17 @@ class Matcher {
     at_copy.sort(copies, [&](const auto& add) {
       for (std::size_t v = 0; v < vertices.size(); ++v) add(vertices[v].copies[0], static_cast<int>(v));
     });
-    for (const SurfaceVertex& vertex : before_.vertices) {
-      const Span<const int> near = std::as_const(at_copy)[vertex.copies[0]];
-      const auto* found = std::find_if(near.begin(), near.end(), [&](int v) { return isSame(vertex, vertices[v]); });
+    for (std::size_t was = 0; was < before_.vertices.size(); ++was) {
+      const Span<const int> near = std::as_const(at_copy)[before_.vertices[was].copies[0]];
+      const auto* found = std::find_if(near.begin(), near.end(), [&](int v) { return isSame(was, v); });
       match_.vertices.push_back(found == near.end() ? -1 : *found);
     }
+  }
+
+  bool isSame(std::size_t was, int is) const {
+    const SurfaceVertex &a = before_.vertices[was], &b = now_.surface->vertices[is];
+    return a.copies == b.copies && (a.weights - b.weights).cwiseAbs().maxCoeff() <= SAME_POINT &&
+           (before_.rest[was] - now_.rest[is]).norm() <= ONE_PLACE * now_.size[is];
   }
 
   void matchTriangles() {
@@ -151,6 +156,7 @@ class Matcher {
 
 SurfaceOutline::SurfaceOutline(const ContactSurface& surface)
     : vertices(surface.surface->vertices),
+      rest(surface.rest),
       triangles(surface.surface->triangles),
       pieces(surface.pieces),
       vertex_piece(surface.vertex_piece),

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "incision/contact/surface_match.h"
 #include "support/rig.h"
 
 namespace incision {
@@ -205,6 +206,28 @@ TEST(FragmentFinder, FindsTheSameWhateverWasThereBeforeTheSurfaceChanged) {
   }
   EXPECT_GT(found, 2'000);
   EXPECT_LT(2 * searches, afresh);
+}
+
+// Copies that two cuts have made of the same mesh have the same numbers, at other places.
+TEST(SurfaceMatch, TakesNothingForWhatIsElsewhere) {
+  Touching one({4, 4, 4}, Vec3::Ones()), other({4, 4, 4}, Vec3::Ones());
+  ASSERT_TRUE(one.cut(plane(Vec3(0.5, 0.5, 0.55), Vec3(0.2, 0.1, 1))).changed());
+  ASSERT_TRUE(other.cut(plane(Vec3(0.45, 0.5, 0.5), Vec3(1, 0.1, 0.2))).changed());
+  one.find();
+  other.find();
+  const SurfaceMatch known = match(SurfaceOutline(one.contact), other.contact);
+  int same = 0, copies = 0;
+  for (std::size_t v = 0; v < known.vertices.size(); ++v) {
+    const int is = known.vertices[v];
+    copies += one.surface.vertices[v].copies[0] >= static_cast<int>(one.mesh.mesh().nodes.size());
+    if (is < 0) continue;
+    ++same;
+    EXPECT_LT((one.contact.rest[v] - other.contact.rest[is]).norm(), 1e-12);
+  }
+  EXPECT_GT(same, 50);
+  EXPECT_GT(copies, 20);
+  const SurfaceMatch itself = match(SurfaceOutline(one.contact), one.contact);
+  EXPECT_TRUE(itself.new_triangles.empty() && itself.new_samples.empty() && itself.new_edges.empty());
 }
 
 TEST(FragmentFinder, LooksOnlyForWhatIsFreshWhereASlitIsCut) {

@@ -9,6 +9,7 @@
 
 namespace incision {
 
+/// A sample that may meet a triangle.
 struct SampleTriangle {
   int sample, triangle;
 };

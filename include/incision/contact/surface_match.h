@@ -8,9 +8,11 @@
 namespace incision {
 
 /// What is kept of a surface to know its things again when the surface has changed: the vertices by the copies and
-/// weights they have, all else by its vertices.
+/// weights they have, and by their place at rest, as copies of another mesh may have the same numbers; all else by its
+/// vertices.
 struct SurfaceOutline {
   std::vector<SurfaceVertex> vertices;
+  std::vector<Vec3> rest;  ///< of the vertices [m]
   std::vector<std::array<int, 3>> triangles;
   int pieces = 0;
   std::vector<int> vertex_piece;
@@ -33,6 +35,7 @@ struct SurfaceMatch {
   std::vector<int> new_triangles, new_samples, new_edges;
 };
 
+/// In linear time.
 SurfaceMatch match(const SurfaceOutline& before, const ContactSurface& now);
 
 }  // namespace incision

@@ -66,10 +66,10 @@ class StepEquations {
 /// What is given in a step.
 struct StepProblem {
   StepEquations* equations;
-  Couplers* couplers;  ///< null: none takes part
-  double time_step;    ///< [s]
-  double tolerance;    ///< of linear solves
-  int threads;
+  Couplers* couplers;                   ///< null: none takes part
+  double time_step;                     ///< [s]
+  double tolerance;                     ///< of linear solves
+  int threads;                          ///< up to so many share the guess by rigid pieces
   std::optional<int> most_iterations;   ///< of all linear solves together; they then end with what they have
   const std::vector<Vec3>& ahead;       ///< how far each copy goes where Δv = 0 [m]
   const std::vector<Vec3>& loads;       ///< impulse of weight and loads on each copy [N s]
