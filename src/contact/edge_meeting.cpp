@@ -51,7 +51,7 @@ double crossingTime(double start, double end) {
 std::optional<EdgeMeeting> meetAfter(const SkinInStep& skin, int edge, int other, double share) {
   const SkinEdge &e = skin.surface.edges[edge], &f = skin.surface.edges[other];
   const EdgeCrossing at = crossingAfter(skin, e, f, share);
-  if (at.parallel || !at.isWithin(AT_END)) return std::nullopt;
+  if (!at.isWithin(AT_END)) return std::nullopt;
   Vec3 n = at.normal;
   if (!liesBehind(skin, f, n, share)) n = -n;
   if (!liesBehind(skin, f, n, share) || !liesBehind(skin, e, -n, share)) return std::nullopt;

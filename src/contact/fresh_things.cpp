@@ -10,11 +10,6 @@ namespace {
 /// The most that is little: each fresh thing is held against all things that come near any of them.
 constexpr int LITTLE = 200;
 
-Eigen::AlignedBox3d boxOf(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle) {
-  const auto& [a, b, c] = surface.surface->triangles[triangle];
-  return Eigen::AlignedBox3d(x[a]).extend(x[b]).extend(x[c]);
-}
-
 std::vector<char> marked(const std::vector<int>& numbers, std::size_t count) {
   std::vector<char> marks(count, false);
   for (int i : numbers) marks[i] = true;
@@ -51,30 +46,34 @@ bool FreshThings::isLittle(int piece) const { return count(piece) <= LITTLE; }
 
 void FreshThings::addFaces(const ContactSurface& surface, const std::vector<Vec3>& x, int a, int b, const Reach& reach,
                            std::vector<SampleTriangle>* faces) const {
-  Eigen::AlignedBox3d round;
-  for (int s : samples_[a]) round.extend(x[surface.samples[s].vertex]);
+  const auto at = [&](int s) { return Eigen::AlignedBox3d(x[surface.samples[s].vertex]); };
+  const auto add = [&](int s, int t, const Eigen::AlignedBox3d& box) {
+    if (areClose(at(s), box, reach.further) && mayMeet(surface, x, s, t, reach, a == b)) faces->push_back({s, t});
+  };
+  Eigen::AlignedBox3d round_samples, round_triangles;
+  for (int s : samples_[a]) round_samples.extend(at(s));
   for (int t : all_triangles_[b]) {
-    if (round.isEmpty() || !areClose(round, boxOf(surface, x, t), reach.further)) continue;
-    for (int s : samples_[a])
-      if (mayMeet(surface, x, s, t, reach, a == b)) faces->push_back({s, t});
+    const Eigen::AlignedBox3d box = boxOf(surface, x, t);
+    if (!areClose(round_samples, box, reach.further)) continue;
+    for (int s : samples_[a]) add(s, t, box);
   }
-  round.setEmpty();
-  for (int t : triangles_[b]) round.extend(boxOf(surface, x, t));
+  for (int t : triangles_[b]) round_triangles.extend(boxOf(surface, x, t));
   for (int s : old_samples_[a]) {
-    if (round.isEmpty() || !areClose(round, Eigen::AlignedBox3d(x[surface.samples[s].vertex]), reach.further)) continue;
-    for (int t : triangles_[b])
-      if (mayMeet(surface, x, s, t, reach, a == b)) faces->push_back({s, t});
+    if (!areClose(round_triangles, at(s), reach.further)) continue;
+    for (int t : triangles_[b]) add(s, t, boxOf(surface, x, t));
   }
 }
 
 void FreshThings::addEdges(const ContactSurface& surface, const std::vector<Vec3>& x, int a, int b, double further,
                            std::vector<std::pair<int, int>>* edges) const {
+  const auto add = [&](int e, int f) {
+    if (areClose(boxOf(surface.edges[e], x), boxOf(surface.edges[f], x), further)) edges->emplace_back(e, f);
+  };
   for (int e : edges_[a])
-    for (int f : all_edges_[b])
-      if (mayMeetEdges(surface, x, e, f, further)) edges->emplace_back(e, f);
+    for (int f : all_edges_[b]) add(e, f);
   for (int f : edges_[b])
     for (int e : all_edges_[a])
-      if (!is_fresh_edge_[e] && mayMeetEdges(surface, x, e, f, further)) edges->emplace_back(e, f);
+      if (!is_fresh_edge_[e]) add(e, f);
 }
 
 }  // namespace incision

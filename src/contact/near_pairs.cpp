@@ -82,8 +82,10 @@ void NearPairs::renumber(const SurfaceMatch& known, Pair* pair) const {
   }
   // Larger elements reach further than was looked.
   const std::vector<PieceFrames::Piece>& pieces = frames_.pieces();
-  const double size = std::max(pieces[pair->a].size, pieces[pair->b].size);
-  pair->margin -= std::max(0.0, size / pair->size - 1) * pair->reach;
+  const double grown = std::max(1.0, std::max(pieces[pair->a].size, pieces[pair->b].size) / pair->size);
+  pair->margin -= (grown - 1) * pair->reach;
+  pair->reach *= grown;
+  pair->size *= grown;
   pair->is_incomplete = fresh_.any(pair->a) || fresh_.any(pair->b);
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "incision/contact/piece_trees.h"
 #include "incision/contact/skin_in_step.h"
 
 namespace incision {
@@ -48,10 +47,6 @@ bool isAbove(const std::array<Vec3, 3>& triangle, const Vec3& p, const Reach& re
   return true;
 }
 
-Eigen::AlignedBox3d boxOf(const ContactSurface::Edge& edge, const std::vector<Vec3>& x) {
-  return Eigen::AlignedBox3d(x[edge.from]).extend(x[edge.to]);
-}
-
 }  // namespace
 
 bool mayMeet(const ContactSurface& surface, const std::vector<Vec3>& x, int sample, int triangle, const Reach& reach,
@@ -59,16 +54,8 @@ bool mayMeet(const ContactSurface& surface, const std::vector<Vec3>& x, int samp
   const auto& [a, b, c] = surface.surface->triangles[triangle];
   const int vertex = surface.samples[sample].vertex;
   if (vertex == a || vertex == b || vertex == c) return false;
-  const Vec3 lower = x[a].cwiseMin(x[b]).cwiseMin(x[c]), upper = x[a].cwiseMax(x[b]).cwiseMax(x[c]);
-  if ((lower.array() > x[vertex].array() + reach.further).any() ||
-      (upper.array() < x[vertex].array() - reach.further).any())
-    return false;
   return isAbove({x[a], x[b], x[c]}, x[vertex], reach) && hasAreaAtRest(surface, triangle) &&
          !(of_one_piece && staysApart(surface, surface.samples[sample], triangle));
-}
-
-bool mayMeetEdges(const ContactSurface& surface, const std::vector<Vec3>& x, int edge, int other, double further) {
-  return areClose(boxOf(surface.edges[edge], x), boxOf(surface.edges[other], x), further);
 }
 
 }  // namespace incision

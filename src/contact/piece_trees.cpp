@@ -105,8 +105,7 @@ void PieceTrees::place(const ContactSurface& surface, const std::vector<Vec3>& x
 void PieceTrees::placeLeaf(const ContactSurface& surface, const std::vector<Vec3>& x, Node* node) {
   for (auto* box : {&node->box, &node->points, &node->lines}) box->setEmpty();
   for (int k = node->begin; k < node->end; ++k) {
-    boxes_[k].setEmpty();
-    for (int v : surface.surface->triangles[order_[k]]) boxes_[k].extend(x[v]);
+    boxes_[k] = boxOf(surface, x, order_[k]);
     node->box.extend(boxes_[k]);
   }
   for (int s = samples_.start(node->begin); s < samples_.start(node->end); ++s) {
@@ -114,8 +113,7 @@ void PieceTrees::placeLeaf(const ContactSurface& surface, const std::vector<Vec3
     node->points.extend(points_[s]);
   }
   for (int e = edges_.start(node->begin); e < edges_.start(node->end); ++e) {
-    const ContactSurface::Edge& edge = surface.edges[edges_.values()[e]];
-    lines_[e] = Eigen::AlignedBox3d(x[edge.from]).extend(x[edge.to]);
+    lines_[e] = boxOf(surface.edges[edges_.values()[e]], x);
     node->lines.extend(lines_[e]);
   }
 }

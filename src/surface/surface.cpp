@@ -85,21 +85,22 @@ class SurfaceBuilder {
     int& last = last_at_point_[point];
     for (int v = last; v >= 0; v = previous_[v])
       if (surface_.vertices[v].copies == wanted.copies) return v;
-    previous_.push_back(last);
-    last = static_cast<int>(surface_.vertices.size());
-    surface_.vertices.push_back(wanted);
-    return last;
+    return add(wanted, &last);
   }
 
   int vertexAtNode(const Part& part, int node) {
     const auto& element = mesh_.mesh().elements[part.element];
     const int copy = part.copies[std::find(element.begin(), element.end(), node) - element.begin()];
     int& known = at_copy_[copy];
-    if (known >= 0) return known;
-    previous_.push_back(-1);
-    known = static_cast<int>(surface_.vertices.size());
-    surface_.vertices.push_back({{copy, copy, copy, copy}, Barycentric::UnitX()});
-    return known;
+    return known >= 0 ? known : add({{copy, copy, copy, copy}, Barycentric::UnitX()}, &known);
+  }
+
+  /// Adds a vertex to those at its point, of which `last` is the last.
+  int add(const SurfaceVertex& vertex, int* last) {
+    previous_.push_back(*last);
+    *last = static_cast<int>(surface_.vertices.size());
+    surface_.vertices.push_back(vertex);
+    return *last;
   }
 
   SurfaceVertex surfaceVertex(const Part& part, const MeshPoint& place) const {

@@ -16,6 +16,17 @@ inline bool areClose(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b,
   return (a.min().array() <= b.max().array() + reach).all() && (b.min().array() <= a.max().array() + reach).all();
 }
 
+/// Round a triangle, with the vertices at `x` [m].
+inline Eigen::AlignedBox3d boxOf(const ContactSurface& surface, const std::vector<Vec3>& x, int triangle) {
+  const auto& [a, b, c] = surface.surface->triangles[triangle];
+  return Eigen::AlignedBox3d(x[a]).extend(x[b]).extend(x[c]);
+}
+
+/// Round an edge.
+inline Eigen::AlignedBox3d boxOf(const ContactSurface::Edge& edge, const std::vector<Vec3>& x) {
+  return Eigen::AlignedBox3d(x[edge.from]).extend(x[edge.to]);
+}
+
 /// Trees of boxes round the triangles of each piece, and round the samples and the edges that these stand for. Their
 /// shape is that of the body at rest, and stays until the surface changes; where the boxes are is found anew for the
 /// pieces that are looked at.
