@@ -144,7 +144,7 @@ void DirectSolver::findBlocks(const std::vector<Spring>& springs) {
   analyse();
 }
 
-int DirectSolver::correct(const std::vector<Vec3>& r, const std::vector<double>&, int, const Basis*,
+int DirectSolver::correct(const std::vector<Vec3>& r, const SolveDemand& /*demand*/, const Basis* /*basis*/,
                           std::vector<Vec3>* d, std::vector<Vec3>* left) {
   if (pattern_.rows() == 0) return 0;
   b_.resize(3 * pattern_.rows());

@@ -308,13 +308,15 @@ void ImplicitStep::findWrenches(const Couplers& couplers, const Motion& start) {
 }
 
 /// The momentum of a free piece changes by the impulses of loads, weight and springs alone, whatever a solve has left
-/// of it: what is off is shared by all its copies.
+/// of it: what is off is shared by all its copies. Not where springs act and nothing was to solve: they would resist
+/// that motion, and drive the piece more than what was off.
 void ImplicitStep::balanceMomentum(bool coupled, std::vector<Vec3>* dv) {
   const double alpha = time_step_ * assembly_.materials().massDamping();
   const std::vector<double>& masses = assembly_.masses();
   off_.assign(static_cast<std::size_t>(pieces_), Vec3::Zero());
   bool any = false;
   for (double mass : piece_mass_) any = any || std::isfinite(mass);
+  any = any && !(coupled && newton_.stats().solves == 0);
   for (std::size_t c = 0; any && c < dv->size(); ++c) {
     Vec3& off = off_[static_cast<std::size_t>(piece_[c])];
     off += external_[c] - masses[c] * ((*dv)[c] + alpha * (base_.v[c] + base_.u[c] + (*dv)[c]));

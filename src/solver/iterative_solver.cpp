@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "incision/base/parallel.h"
 
@@ -94,15 +95,16 @@ void IterativeSolver::stretchSprings(const std::vector<Vec4f>& p) {
   parallelFor(coupled_.count(), assembly_->threads(), [&](int c) { coupled_.stretch(c, p); });
 }
 
-int IterativeSolver::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
+int IterativeSolver::correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis,
                              std::vector<Vec3>* d, std::vector<Vec3>* left) {
   if (pattern_.rows() == 0) return 0;
   const double unit = scaleResidual(r);
   if (!(unit > 0)) return 0;
   std::fill(y_.begin(), y_.end(), Vec4f::Zero());
-  findActive(limit, unit);
+  findActive(demand.limit, unit);
   if (basis) guess(*basis);
-  const int iterations = iterate(limit, unit, std::min(most, MAX_ITERATIONS));
+  const int iterations = iterate(demand.limit, unit, std::min(demand.most, MAX_ITERATIONS));
+  if (demand.balanced && coupled_.count() > 0) balance();
   parallelFor(pattern_.rows(), assembly_->threads(), [&](int i) {
     (*d)[pattern_.copies[i]] = unit * scale_[i] * y_[i].head<3>().cast<double>();
     (*left)[pattern_.copies[i]] = unit / scale_[i] * r_[i].head<3>().cast<double>();
@@ -214,6 +216,21 @@ int IterativeSolver::iterate(const std::vector<double>& limit, double unit, int 
     stopGroups();
   }
   return most;
+}
+
+/// One step of the coarse level alone: by it no rigid motion of an aggregate is driven any more, nor of a piece.
+void IterativeSolver::balance() {
+  const int threads = assembly_->threads();
+  active_.resize(static_cast<std::size_t>(aggregates_.count()));
+  std::iota(active_.begin(), active_.end(), 0);
+  for (int a : active_) coarse_.restrictAggregate(a, r_);
+  coarse_.solve();
+  parallelFor(pattern_.rows(), threads, [&](int i) { p_[i] = coarse_.prolong(i); });
+  multiply();
+  parallelFor(pattern_.rows(), threads, [&](int i) {
+    y_[i] += p_[i];
+    r_[i] -= Ap_[i];
+  });
 }
 
 /// Adds the aggregates' terms up by group, and by piece.

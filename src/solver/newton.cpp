@@ -17,6 +17,10 @@ constexpr double MIN_PROGRESS = 0.3;
 /// then leaves this share of it.
 constexpr double NEARLY = 10, AGAIN = 0.3;
 
+/// Where what is left at Δv = 0 is less than this share of what acts, Δv is so small that a guess by rigid pieces gains
+/// less than it costs.
+constexpr double NEAR_REST = 1e-2;
+
 /// Bounds are taken anew after so many Newton steps, and go half of the way after the first ones. Where they go round
 /// in circles even so the last ones stay: with these there is a minimum, at which no energy comes in.
 constexpr int FAST_BOUNDS = 8, MAX_BOUNDS = 25;
@@ -32,7 +36,7 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   }
   if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance))
     startAt(p, p.basis[0], dv);
-  const bool drives_free = coupled && driveFreePieces(p);
+  const bool drives_free = coupled && !isNearRest(p) && driveFreePieces(p);
   if (drives_free && !guessRigidly(p, dv)) return false;
   bool tight = !coupled, same_springs = false;
   double before = std::numeric_limits<double>::infinity();  // what the last solve with these springs left
@@ -131,6 +135,9 @@ bool Newton::driveFreePieces(const StepProblem& p) const {
   });
 }
 
+/// A direct solver makes its guess all the same: it knows no tolerance.
+bool Newton::isNearRest(const StepProblem& p) const { return left_over_ <= NEAR_REST && !p.equations->isDirect(); }
+
 /// Goes on from where the free pieces would be if they were rigid, and takes the springs that there would be. Returns
 /// false where that step is not wanted.
 bool Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
@@ -175,7 +182,8 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, const 
   direction_.assign(copies, Vec3::Zero());
   left_.resize(copies);
   const int most = p.most_iterations ? *p.most_iterations - stats_.iterations : std::numeric_limits<int>::max();
-  stats_.iterations += p.equations->correct(right_, limit_, most, basis, &direction_, &left_);
+  stats_.iterations +=
+      p.equations->correct(right_, {limit_, most, tight && p.couplers != nullptr}, basis, &direction_, &left_);
   for (Group& group : groups_) group.share = 1;
   if (!p.couplers) return true;
   pull_.resize(copies);

@@ -57,10 +57,10 @@ bool PiecewiseSolver::springsChanged(const std::vector<Spring>& springs, double 
          (!any_iterative_ || iterative_.springsChanged(springs, time_step));
 }
 
-int PiecewiseSolver::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
+int PiecewiseSolver::correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis,
                              std::vector<Vec3>* d, std::vector<Vec3>* left) {
-  if (any_direct_) direct_.correct(r, limit, most, basis, d, left);
-  return any_iterative_ ? iterative_.correct(r, limit, most, basis, d, left) : 0;
+  if (any_direct_) direct_.correct(r, demand, basis, d, left);
+  return any_iterative_ ? iterative_.correct(r, demand, basis, d, left) : 0;
 }
 
 /// A solver that has nothing to do may have a memory of another system.

@@ -48,9 +48,9 @@ bool ImplicitStep::joinGroups(const std::vector<Spring>& springs) {
   return true;
 }
 
-int ImplicitStep::correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
+int ImplicitStep::correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis,
                           std::vector<Vec3>* d, std::vector<Vec3>* left) {
-  return current()->correct(r, limit, most, basis, d, left);
+  return current()->correct(r, demand, basis, d, left);
 }
 
 bool ImplicitStep::rebase(const std::vector<Vec3>& impulses) {

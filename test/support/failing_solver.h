@@ -37,9 +37,9 @@ class FailingSolver : public LinearSolver {
   }
   void keep(SolverMemory* memory) const override { solver_->keep(memory); }
   void recall(const SolverMemory& memory) override { solver_->recall(memory); }
-  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
-              std::vector<Vec3>* d, std::vector<Vec3>* left) override {
-    const int iterations = solver_->correct(r, limit, most, basis, d, left);
+  int correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override {
+    const int iterations = solver_->correct(r, demand, basis, d, left);
     if (failures_->solves.count(failures_->count++) == 0) return iterations;
     for (Vec3& value : *d) value.setConstant(std::nan(""));
     return iterations;

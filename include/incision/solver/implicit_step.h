@@ -135,8 +135,8 @@ class ImplicitStep : private StepEquations {
   // The equations of the step.
   void residual(const std::vector<Vec3>& dv, std::vector<Vec3>* r) override;
   bool setSprings(const std::vector<Spring>& springs) override;
-  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
-              std::vector<Vec3>* d, std::vector<Vec3>* left) override;
+  int correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override;
   bool isDirect() const override;
   bool rebase(const std::vector<Vec3>& impulses) override;
   void balance(std::vector<Vec3>* dv) override { balanceMomentum(false, dv); }

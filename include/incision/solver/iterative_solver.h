@@ -18,8 +18,8 @@ class IterativeSolver : public LinearSolver {
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
   void keep(SolverMemory* memory) const override { memory->coarse_blocks = coarse_.springBlocks(); }
   void recall(const SolverMemory& memory) override { coarse_.recallSpringBlocks(memory.coarse_blocks); }
-  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
-              std::vector<Vec3>* d, std::vector<Vec3>* left) override;
+  int correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override;
   bool isDirect() const override { return false; }
 
  private:
@@ -38,6 +38,7 @@ class IterativeSolver : public LinearSolver {
   void findActive(const std::vector<double>& limit, double unit);
   void guess(const Basis& basis);
   int iterate(const std::vector<double>& limit, double unit, int most);
+  void balance();
   void precondition();
   void findDirections(bool first);
   void multiply();

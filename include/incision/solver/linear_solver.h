@@ -35,6 +35,14 @@ void serialize(Archive& archive, SolverMemory& memory) {
   archive(blocks, idle, coarse_blocks);
 }
 
+/// How far a solve is asked to go.
+struct SolveDemand {
+  const std::vector<double>& limit;  ///< of each piece's |left|² in the norm scaled by the diagonal of A
+  int most;                          ///< iterations, however far they have come
+  /// Whether what is left may drive no piece on which springs act as a whole: neither straight on nor round.
+  bool balanced;
+};
+
 /// Solves A Δv = b for the copies that are not left out; A = mass M + stiffness K and Δt² times the springs'
 /// stiffness.
 class LinearSolver {
@@ -57,14 +65,13 @@ class LinearSolver {
   /// Puts a memory back that was kept of this system. Between systemChanged and matrixChanged.
   virtual void recall(const SolverMemory& memory) = 0;
 
-  /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. Each piece's
-  /// |left|² in the norm scaled by the diagonal of A is then at most its `limit`, or as near to it as the solver gets;
-  /// pieces that are there to begin with have d = 0. The solution is likely near a sum of multiples of the vectors in
-  /// `basis`, where there is one. An iteration ends
-  /// after `most` with what it has, which is never worse than d = 0 in the energy |d|²_A / 2 − d·r. Returns how many
+  /// Finds d with A d near r, for the copies that are not left out, and what is left of r: r − A d. It is then within
+  /// the limits, or as near to them as the solver gets; pieces that are there to begin with have d = 0, or what
+  /// balances them. The solution is likely near a sum of multiples of the vectors in `basis`, where there is one. An
+  /// iteration that is ended has a d that is never worse than d = 0 in the energy |d|²_A / 2 − d·r. Returns how many
   /// iterations that took.
-  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
-                      std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
+  virtual int correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis, std::vector<Vec3>* d,
+                      std::vector<Vec3>* left) = 0;
 
   /// Whether what `correct` finds is as near as numbers in double allow, whatever the limit.
   virtual bool isDirect() const = 0;

@@ -7,6 +7,7 @@
 #include "incision/solver/couplers.h"
 #include "incision/solver/first_guess.h"
 #include "incision/solver/line_search.h"
+#include "incision/solver/linear_solver.h"
 #include "incision/solver/piece_norms.h"
 #include "incision/solver/rigid_guess.h"
 
@@ -48,8 +49,8 @@ class StepEquations {
   virtual bool setSprings(const std::vector<Spring>& springs) = 0;
 
   /// LinearSolver::correct and isDirect.
-  virtual int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
-                      std::vector<Vec3>* d, std::vector<Vec3>* left) = 0;
+  virtual int correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis, std::vector<Vec3>* d,
+                      std::vector<Vec3>* left) = 0;
   virtual bool isDirect() const = 0;
 
   /// Takes these impulses of springs on copies [N s] into the base: the step then starts from the rigid motion that
@@ -118,6 +119,7 @@ class Newton {
   void start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* dv);
   void startAt(const StepProblem& p, const std::vector<Vec3>& guess, std::vector<Vec3>* dv);
   void place(const StepProblem& p, const std::vector<Vec3>& dv);
+  bool isNearRest(const StepProblem& p) const;
   bool driveFreePieces(const StepProblem& p) const;
   bool guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
   bool takeSprings(const StepProblem& p);

@@ -19,8 +19,8 @@ class PiecewiseSolver : public LinearSolver {
   bool springsChanged(const std::vector<Spring>& springs, double time_step) override;
   void keep(SolverMemory* memory) const override;
   void recall(const SolverMemory& memory) override;
-  int correct(const std::vector<Vec3>& r, const std::vector<double>& limit, int most, const Basis* basis,
-              std::vector<Vec3>* d, std::vector<Vec3>* left) override;
+  int correct(const std::vector<Vec3>& r, const SolveDemand& demand, const Basis* basis, std::vector<Vec3>* d,
+              std::vector<Vec3>* left) override;
   bool isDirect() const override { return !any_iterative_; }
 
  private:
