@@ -218,7 +218,7 @@ void FragmentFinder::measure(const ContactSurface& surface, const std::vector<Ve
 void FragmentFinder::divideFaces() {
   shares_used_ = 0;
   for (const NearPairs::Pair* pair : pairs_.active()) {
-    const SampleTriangle *first = pair->faces.data(), *const end = first + pair->faces.size();
+    const SampleTriangle *first = pair->faces().data(), *const end = first + pair->faces().size();
     for (const auto* last = first; first != end; first = last) {
       last = end - first > SHARE ? first + SHARE : end;
       while (last != end && last->sample == last[-1].sample) ++last;

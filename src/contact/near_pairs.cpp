@@ -17,6 +17,9 @@ constexpr double FURTHER = 0.12;
 /// And for a piece and itself, which mostly has nothing near.
 constexpr double FURTHER_IN_ONE = 0.5;
 
+/// And in what such a search has found, for pieces that hardly move: at rest that leaves a tenth to be looked at.
+constexpr double FURTHER_AT_REST = 0.01;
+
 /// Shares of the search of one pair.
 constexpr std::size_t SHARES = 16;
 
@@ -36,12 +39,16 @@ void NearPairs::surfaceChanged(const ContactSurface& surface, const std::vector<
   active_.clear();
   SurfaceOutline outline(surface);
   const SurfaceMatch known = match(outline_, surface);
+  PieceFrames close_frames;
+  close_frames.surfaceChanged(surface, known, x);
   frames_.surfaceChanged(surface, known, x);
+  close_frames_ = std::move(close_frames);
   outline_ = std::move(outline);
   fresh_.surfaceChanged(surface, known);
   has_trees_ = false;
   base_margin_ = FURTHER * surface.mean_size;
   margin_of_one_ = FURTHER_IN_ONE * surface.mean_size;
+  narrow_margin_ = FURTHER_AT_REST * surface.mean_size;
   pairs_ = kept(&before, known);
 }
 
@@ -67,23 +74,24 @@ void NearPairs::renumber(const SurfaceMatch& known, Pair* pair) const {
   pair->a = known.pieces[pair->a];
   pair->b = known.pieces[pair->b];
   std::vector<SampleTriangle> faces;
-  for (const SampleTriangle& at : pair->faces)
+  for (const SampleTriangle& at : pair->near)
     if (const int s = known.samples[at.sample], t = known.triangles[at.triangle]; s >= 0 && t >= 0)
       faces.push_back({s, t});
   std::vector<std::pair<int, int>> edges;
   for (const auto& [e, f] : pair->edges)
     if (known.edges[e] >= 0 && known.edges[f] >= 0) edges.emplace_back(known.edges[e], known.edges[f]);
-  pair->faces = std::move(faces);
+  pair->near = std::move(faces);
+  pair->is_narrow = false;
   pair->edges = std::move(edges);
   if (pair->a > pair->b) {
     std::swap(pair->a, pair->b);
-    std::swap(pair->from_a, pair->from_b);
+    pair->search.swapPieces();
     for (auto& [e, f] : pair->edges) std::swap(e, f);
   }
   // Larger elements reach further than was looked.
   const std::vector<PieceFrames::Piece>& pieces = frames_.pieces();
   const double grown = std::max(1.0, std::max(pieces[pair->a].size, pieces[pair->b].size) / pair->size);
-  pair->margin -= (grown - 1) * pair->reach;
+  pair->search.lose((grown - 1) * pair->reach);
   pair->reach *= grown;
   pair->size *= grown;
   pair->is_incomplete = fresh_.any(pair->a) || fresh_.any(pair->b);
@@ -92,6 +100,7 @@ void NearPairs::renumber(const SurfaceMatch& known, Pair* pair) const {
 void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
                        double reach, int threads) {
   frames_.update(x, ahead, SHAPE_SHARE * base_margin_, threads);
+  close_frames_.update(x, ahead, SHAPE_SHARE * narrow_margin_, threads);
   findClosePieces(reach);
   active_.clear();
   stale_.clear();
@@ -107,7 +116,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
       (*at)->b = b;
     }
     active_.push_back(at->get());
-    if ((*at)->is_searched && needed(**at) < (*at)->margin) {
+    if ((*at)->is_searched && (*at)->search.holds(frames_.pieces()[a], frames_.pieces()[b])) {
       if ((*at)->is_incomplete) incomplete_.push_back(at->get());
       continue;
     }
@@ -121,6 +130,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
   for (std::size_t i = 0; i < stale_.size(); ++i) startSearch(reach, i);
   searchShares(surface, x, threads);
   addFresh(surface, x, threads);
+  parallelFor(static_cast<int>(active_.size()), threads, [&](int i) { narrow(surface, x, active_[i]); });
   searches_ += static_cast<int>(stale_.size());
 }
 
@@ -166,37 +176,18 @@ void NearPairs::findClosePieces(double reach) {
   std::sort(close_.begin(), close_.end());
 }
 
-/// How far points of the two can have moved relative to each other since the search, by the end of the step [m].
-double NearPairs::needed(const Pair& pair) const {
-  const PieceFrames::Piece &a = frames_.pieces()[pair.a], &b = frames_.pieces()[pair.b];
-  double most = 0;
-  for (int end = 0; end < 2; ++end) {
-    const double rigid = pair.a == pair.b ? 0 : movedApart(a, b, pair.from_a, pair.from_b, end);
-    most = std::max(most, rigid + a.off[end] + b.off[end]);
-  }
-  return most + usedUp(pair);
-}
-
-/// What of that stays however they move back [m].
-double NearPairs::usedUp(const Pair& pair) const {
-  return pair.off + frames_.pieces()[pair.a].worn + frames_.pieces()[pair.b].worn - pair.worn;
-}
-
 /// Divides the search of a pair, which may be the only one, into shares.
 void NearPairs::startSearch(double reach, std::size_t stale) {
   Pair* const pair = stale_[stale];
   const PieceFrames::Piece &a = frames_.pieces()[pair->a], &b = frames_.pieces()[pair->b];
   pair->is_searched = pair->is_incomplete = false;
-  pair->faces.clear();
+  pair->is_narrow = false;
+  pair->near.clear();
   pair->edges.clear();
-  pair->from_a = a.frames[0];
-  pair->from_b = b.frames[0];
-  pair->worn = a.worn + b.worn;
-  pair->off = a.off[0] + b.off[0];
-  pair->margin = (pair->a == pair->b ? margin_of_one_ : base_margin_) + needed(*pair);
+  pair->search.begin(a, b, pair->a == pair->b ? margin_of_one_ : base_margin_);
   pair->size = std::max(a.size, b.size);
   pair->reach = reach * pair->size;
-  pair->searched = {TURNING * (pair->reach + pair->margin), TURNING * pair->margin};
+  pair->searched = {TURNING * (pair->reach + pair->search.margin()), TURNING * pair->search.margin()};
   for (const PieceTrees::Share& nodes : trees_.shares(pair->a, pair->b, pair->searched.further, SHARES))
     shares_.push_back({stale, nodes, {}, {}});
 }
@@ -215,7 +206,7 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
   });
   for (const Share& share : shares_) {
     Pair* const pair = stale_[share.stale];
-    pair->faces.insert(pair->faces.end(), share.faces.begin(), share.faces.end());
+    pair->near.insert(pair->near.end(), share.faces.begin(), share.faces.end());
     pair->edges.insert(pair->edges.end(), share.edges.begin(), share.edges.end());
   }
   parallelFor(static_cast<int>(stale_.size()), threads, [&](int i) {
@@ -229,12 +220,13 @@ void NearPairs::searchShares(const ContactSurface& surface, const std::vector<Ve
 void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads) {
   parallelFor(static_cast<int>(incomplete_.size()), threads, [&](int i) {
     Pair* const pair = incomplete_[i];
-    pair->is_searched = false;
-    const double more = TURNING * (needed(*pair) - 2 * usedUp(*pair));
+    pair->is_searched = pair->is_narrow = false;
+    const PieceFrames::Piece &a = frames_.pieces()[pair->a], &b = frames_.pieces()[pair->b];
+    const double more = TURNING * (pair->search.needed(a, b) - 2 * pair->search.usedUp(a, b));
     const Reach reach = {pair->searched.further + more, pair->searched.aside + more};
-    fresh_.addFaces(surface, x, pair->a, pair->b, reach, &pair->faces);
+    fresh_.addFaces(surface, x, pair->a, pair->b, reach, &pair->near);
     if (pair->a != pair->b) {
-      fresh_.addFaces(surface, x, pair->b, pair->a, reach, &pair->faces);
+      fresh_.addFaces(surface, x, pair->b, pair->a, reach, &pair->near);
       fresh_.addEdges(surface, x, pair->a, pair->b, reach.further, &pair->edges);
     }
     pair->sort();
@@ -243,14 +235,30 @@ void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>&
   });
 }
 
+/// Looks once more, and less far, through what is near. Where the two move so much that it would soon be out of date
+/// there is none.
+void NearPairs::narrow(const ContactSurface& surface, const std::vector<Vec3>& x, Pair* pair) const {
+  const PieceFrames::Piece &a = close_frames_.pieces()[pair->a], &b = close_frames_.pieces()[pair->b];
+  if (pair->is_narrow && pair->narrow.holds(a, b)) return;
+  pair->narrow.begin(a, b, narrow_margin_);
+  pair->is_narrow = false;
+  if (pair->narrow.margin() > 2 * narrow_margin_) return;
+  const double margin = TURNING * pair->narrow.margin();
+  const Reach reach = {TURNING * pair->reach + margin, margin};
+  pair->nearest.clear();
+  for (const SampleTriangle& at : pair->near)
+    if (mayMeet(surface, x, at.sample, at.triangle, reach, pair->a == pair->b)) pair->nearest.push_back(at);
+  pair->is_narrow = true;
+}
+
 /// What was kept mostly is in order, with what was found at its end.
 void NearPairs::Pair::sort() {
   const auto by_sample = [](const SampleTriangle& s, const SampleTriangle& t) {
     return std::tie(s.sample, s.triangle) < std::tie(t.sample, t.triangle);
   };
-  const auto unordered = std::is_sorted_until(faces.begin(), faces.end(), by_sample);
-  std::sort(unordered, faces.end(), by_sample);
-  std::inplace_merge(faces.begin(), unordered, faces.end(), by_sample);
+  const auto unordered = std::is_sorted_until(near.begin(), near.end(), by_sample);
+  std::sort(unordered, near.end(), by_sample);
+  std::inplace_merge(near.begin(), unordered, near.end(), by_sample);
   std::sort(edges.begin(), edges.end());
 }
 

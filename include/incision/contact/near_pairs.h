@@ -6,6 +6,7 @@
 
 #include "incision/contact/contact_surface.h"
 #include "incision/contact/fresh_things.h"
+#include "incision/contact/pair_search.h"
 #include "incision/contact/piece_frames.h"
 #include "incision/contact/piece_trees.h"
 #include "incision/contact/surface_match.h"
@@ -20,21 +21,23 @@ class NearPairs {
  public:
   struct Pair {
     int a, b;                                ///< pieces, a ≤ b
-    std::vector<SampleTriangle> faces;       ///< by sample, then by triangle
     std::vector<std::pair<int, int>> edges;  ///< of a and of b
+
+    /// By sample, then by triangle.
+    const std::vector<SampleTriangle>& faces() const { return is_narrow ? nearest : near; }
 
    private:
     friend class NearPairs;
     void sort();
-    PieceFrames::Frame from_a, from_b;  // where they were at the search
-    double worn = 0;                    // of both at the search [m]
-    double off = 0;                     // of both from their shapes at the search [m]
-    double margin = 0;                  // by how much it looked further than to its reach, [m]
-    double size = 0;                    // the larger one of the two [m],
-    double reach = 0;                   // and its reach [m],
-    Reach searched = {0, 0};            // and so how far in all
-    bool is_searched = false;           // to the end
-    bool is_incomplete = false;         // it lacks what is fresh
+    std::vector<SampleTriangle> near;     // all that a search has found, and
+    std::vector<SampleTriangle> nearest;  // of those, what a narrower search leaves
+    PairSearch search, narrow;            // which these were
+    double size = 0;                      // the larger one of the two [m],
+    double reach = 0;                     // and its reach [m],
+    Reach searched = {0, 0};              // and so how far in all
+    bool is_searched = false;             // to the end
+    bool is_incomplete = false;           // it lacks what is fresh
+    bool is_narrow = false;               // the narrower search was made since
   };
 
   /// The surface is another one, with its vertices at `x` [m]. What pieces that are still there had near each other
@@ -75,17 +78,18 @@ class NearPairs {
   Pairs kept(Pairs* before, const SurfaceMatch& known) const;
   void renumber(const SurfaceMatch& known, Pair* pair) const;
   void addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
-  double needed(const Pair& pair) const;
-  double usedUp(const Pair& pair) const;
   void startSearch(double reach, std::size_t stale);
+  void narrow(const ContactSurface& surface, const std::vector<Vec3>& x, Pair* pair) const;
   void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
 
   SurfaceOutline outline_;
   PieceFrames frames_;
+  PieceFrames close_frames_;  // for narrower searches: with shapes that are never far off
   FreshThings fresh_;
   PieceTrees trees_;
   bool has_trees_ = false;                      // of the surface there is
   double base_margin_ = 0, margin_of_one_ = 0;  // of two pieces, and of a piece with itself [m]
+  double narrow_margin_ = 0;                    // of what is searched again in what was found [m]
   int searches_ = 0;
   Pairs pairs_;
   std::vector<std::pair<double, int>> sweep_;  // pieces by where they begin along x
