@@ -177,6 +177,26 @@ TEST(FragmentFinder, FindsWhatTryingEverythingFindsHoweverItsPiecesMove) {
   }
 }
 
+// What was looked at less far is looked at again in time.
+TEST(FragmentFinder, FindsWhatTryingEverythingFindsWhereItsPiecesHardlyMove) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    Touching rig({4, 3, 3}, Vec3(1, 0.75, 0.75));
+    const std::vector<Vec3> random = randomVectors(60, 1, seed);
+    ASSERT_TRUE(rig.cut(plane(Vec3(0.5, 0.37, 0.37), random[0])).changed());
+    const Vec3 apart = 0.005 * rig.find().front().normal;  // from piece 1, or towards it
+    rig.move(0, apart, 0);
+    if (rig.again().front().gap < 0) rig.move(0, -2 * apart, 0);
+    rig.again();
+    const int searches = rig.finder.pairs().searches();
+    for (int k = 1; k < 30; ++k) {
+      rig.move(k % rig.pieces(), 0.0007 * random[2 * k], 0.0007 * random[2 * k + 1].x());
+      expectAsAfresh(&rig, seed);
+      expectAllFound(rig, rig.again(), seed);
+    }
+    EXPECT_EQ(rig.finder.pairs().searches(), searches) << seed;
+  }
+}
+
 PlaneCut slit(const Vec3& point, const Vec3& normal, double size) {
   PlaneCut cut = plane(point, normal);
   cut.tangent = normal.unitOrthogonal();

@@ -141,6 +141,29 @@ TEST(Contact, LetsAStackOfThreeCutPiecesStand) {
   EXPECT_LT(fastest(body), 1e-4);
 }
 
+// Each of the pieces hangs on contacts alone: what a step leaves of its balance would shake it in the next one.
+TEST(Contact, LeavesNextToNothingToSolveInAStackThatRests) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const std::vector<Vec3> tilt = randomVectors(2, 0.05, seed);
+    Scene scene = blockAbove(0, {4, 4, 6}, Vec3::Zero());
+    scene.solver.method = Method::ITERATIVE;
+    scene.solver.tolerance = 1e-4;
+    scene.cuts = {{0, plane(Vec3(0.1, 0.1, 0.09), Vec3::UnitZ() + tilt[0])},
+                  {0, plane(Vec3(0.1, 0.1, 0.21), Vec3::UnitZ() + tilt[1])}};
+    DeformableBody body(scene, loadMesh(scene));
+    take(&body, 400);
+    int iterations = 0, solves = 0;
+    for (int k = 0; k < 100; ++k) {
+      const StepResult result = body.step();
+      iterations += result.iterations;
+      solves += result.solves;
+    }
+    EXPECT_EQ(body.counts().pieces, 3);
+    EXPECT_LE(solves, 90) << seed;
+    EXPECT_LE(iterations, 200) << seed;
+  }
+}
+
 /// Energies of a body that touches itself and the ground [J].
 struct Energies {
   explicit Energies(const DeformableBody& body, double springs = 0) {
