@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "incision/base/parallel.h"
 #include "incision/contact/skin_in_step.h"
@@ -66,7 +67,12 @@ bool Contact::begin(const StepStart& start, std::vector<Spring>* springs) {
     return candidate.isOfBody() && candidate.ignored > deepest * candidate.size;
   };
   candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), too_deep), candidates_.end());
-  for (const Candidate& candidate : candidates_) springs->push_back(candidate.point);
+  gaps_.clear();
+  for (const Candidate& candidate : candidates_) {
+    springs->push_back(candidate.point);
+    const double unmoved = candidate.gap + candidate.ignored + TOUCHING * candidate.size;
+    gaps_.push_back({candidate.normal, unmoved - candidate.normal.dot(candidate.drift), true});
+  }
   most_.assign(candidates_.size(), 0);
   return !candidates_.empty() || !memory_.empty();
 }
@@ -127,24 +133,16 @@ void Contact::continueTouches(const std::vector<Touch>& touches, double time_ste
   legacy_.share(skin_->surface(), &candidates_);
 }
 
-Contact::Trial Contact::tryAt(const Candidate& candidate, const Vec3& moved) const {
+/// s + Δy_t at a trial [m].
+Vec3 Contact::slipAt(const Candidate& candidate, const Vec3& moved) const {
   const Vec3 stretch = moved - candidate.drift;
-  const double closing = candidate.normal.dot(stretch);
-  Trial trial;
-  trial.gap = candidate.gap + candidate.ignored + closing + TOUCHING * candidate.size;
-  trial.slip = candidate.slip + stretch - closing * candidate.normal;
-  trial.presses = trial.gap < 0;
-  return trial;
-}
-
-double Contact::pressureOf(const Candidate& candidate, const Trial& trial) {
-  return trial.presses ? -candidate.stiffness * trial.gap : 0;
+  return candidate.slip + stretch - candidate.normal.dot(stretch) * candidate.normal;
 }
 
 /// Friction may be as large as the pressure allows.
 void Contact::takeBounds(Span<const Vec3> moved, double share) {
   parallelFor(moved.size(), skin_->threads(), [&](int i) {
-    const double most = friction_ * pressureOf(candidates_[i], tryAt(candidates_[i], moved[i]));
+    const double gap = gaps_[i].at(moved[i]), most = gap < 0 ? friction_ * candidates_[i].stiffness * -gap : 0;
     most_[i] += share * (most - most_[i]);
   });
 }
@@ -152,36 +150,47 @@ void Contact::takeBounds(Span<const Vec3> moved, double share) {
 /// The forces descend from ½ k g², where g is negative, and from ½ k_t s², which goes on evenly beyond the bound.
 void Contact::update(Span<const Vec3> moved, Span<Spring> springs) {
   parallelFor(moved.size(), skin_->threads(), [&](int i) {
-    const Candidate& candidate = candidates_[i];
-    const Trial trial = tryAt(candidate, moved[i]);
-    const Mat3 across = candidate.normal * candidate.normal.transpose();
-    Vec3 force = pressureOf(candidate, trial) * candidate.normal;
-    Mat3 stiffness = trial.presses ? Mat3(candidate.stiffness * across) : Mat3::Zero();
-    if (most_[i] > 0) {
-      const double k = candidate.tangential, drag = trial.slip.norm();
-      const bool slides = k * drag > most_[i];
-      const double secant = slides ? most_[i] / drag : k;
-      force -= secant * trial.slip;
-      stiffness += secant * (Mat3::Identity() - across);
-      if (slides) stiffness -= (1 - SLIDING) * secant / (drag * drag) * trial.slip * trial.slip.transpose();
-    }
-    springs[i].set(stiffness, force, moved[i]);
+    const double gap = gaps_[i].at(moved[i]);
+    const bool is_open = !(gap < 0) && !(most_[i] > 0), was_open = std::exchange(gaps_[i].is_open, is_open);
+    if (!is_open)
+      updatePressed(i, gap, moved[i], &springs[i]);
+    else if (!was_open)
+      springs[i].set(Mat3::Zero(), Vec3::Zero(), moved[i]);
   });
 }
 
-Touch Contact::touchOf(const Candidate& candidate, const Trial& trial, double most) const {
-  const double drag = candidate.tangential * trial.slip.norm();
+void Contact::updatePressed(int i, double gap, const Vec3& moved, Spring* spring) const {
+  const Candidate& candidate = candidates_[static_cast<std::size_t>(i)];
+  const double pressure = std::max(0.0, -candidate.stiffness * gap), most = most_[static_cast<std::size_t>(i)];
+  const Mat3 across = candidate.normal * candidate.normal.transpose();
+  Vec3 force = pressure * candidate.normal;
+  Mat3 stiffness = gap < 0 ? Mat3(candidate.stiffness * across) : Mat3::Zero();
+  if (most > 0) {
+    const Vec3 slip = slipAt(candidate, moved);
+    const double k = candidate.tangential, drag = slip.norm();
+    const bool slides = k * drag > most;
+    const double secant = slides ? most / drag : k;
+    force -= secant * slip;
+    stiffness += secant * (Mat3::Identity() - across);
+    if (slides) stiffness -= (1 - SLIDING) * secant / (drag * drag) * slip * slip.transpose();
+  }
+  spring->set(stiffness, force, moved);
+}
+
+Touch Contact::touchOf(const Candidate& candidate, double gap, const Vec3& moved, double most) const {
+  const Vec3 slip = slipAt(candidate, moved);
+  const double drag = candidate.tangential * slip.norm();
   const double sticking = drag > most ? most / drag : 1;
   Touch touch;
   touch.sample = candidate.sample;
   touch.partner = candidate.partner;
   touch.other = candidate.other;
-  touch.gap = trial.gap;
+  touch.gap = gap;
   touch.ignored = candidate.ignored;
   touch.worked_off = candidate.worked_off;
   touch.stiffness = candidate.stiffness;
   touch.tangential = candidate.tangential;
-  touch.slip = sticking * trial.slip;
+  touch.slip = sticking * slip;
   touch.normal_in_solid = candidate.normal_in_solid;
   tellPlace(skin_->surface(), &touch);
   return touch;
@@ -192,17 +201,16 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
   skin_version_ = skin_->version();
   for (int i = 0; i < moved.size(); ++i) {
     const Candidate& candidate = candidates_[i];
-    const Trial trial = tryAt(candidate, moved[i]);
-    const bool is_near = trial.gap < candidate.ignored + MARGIN * candidate.size;
+    const double gap = gaps_[i].at(moved[i]);
+    const bool presses = gap < 0, is_near = gap < candidate.ignored + MARGIN * candidate.size;
     // What is in an obstacle, or beside it, is known to be on this side of it, pressed or not; edges likewise.
-    if (!trial.presses && (candidate.partner == Candidate::BODY || !is_near)) continue;
-    const Touch touch = touchOf(candidate, trial, most_[i]);
+    if (!presses && (candidate.partner == Candidate::BODY || !is_near)) continue;
+    const Touch touch = touchOf(candidate, gap, moved[i], most_[i]);
     memory_.push_back(touch);
-    if (!trial.presses) continue;
+    if (!presses) continue;
     ++report_.count;
-    report_.energy +=
-        0.5 * (candidate.stiffness * trial.gap * trial.gap + candidate.tangential * touch.slip.squaredNorm());
-    const double depth = candidate.ignored + TOUCHING * candidate.size - trial.gap;
+    report_.energy += 0.5 * (candidate.stiffness * gap * gap + candidate.tangential * touch.slip.squaredNorm());
+    const double depth = candidate.ignored + TOUCHING * candidate.size - gap;
     report_.deepest = std::max(report_.deepest, std::min(depth, candidate.way_out));
   }
 }

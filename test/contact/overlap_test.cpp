@@ -48,7 +48,7 @@ Depths depthsOfFall(double young_modulus, unsigned seed, int steps, int every) {
 TEST(FullOverlap, OfFallingFragmentsIsMostlyWithinTwoPercentOfAnElement) {
   for (const double young_modulus : {1e6, 1e8}) {
     std::vector<double> overlap, reported;
-    for (unsigned seed = 0; seed < (SANITIZED ? 1 : 20); ++seed) {
+    for (unsigned seed = 0; seed < (SANITIZED ? 1 : 60); ++seed) {
       const Depths depths = depthsOfFall(young_modulus, seed, SANITIZED ? 5 : 60, 4);
       overlap.push_back(depths.overlap);
       reported.push_back(depths.reported);

@@ -50,18 +50,21 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   const std::vector<Candidate>& candidates() const { return candidates_; }
 
  private:
-  /// A candidate's state at a trial.
-  struct Trial {
-    double gap;  ///< at the end of the step, as the force takes it [m]
-    Vec3 slip;   ///< s + Δy_t [m]
-    bool presses;
+  /// What of a candidate tells whether it presses, apart from the rest: most do not, and each trial asks them all.
+  struct Gap {
+    Vec3 normal;
+    double start;  // where nothing moves, as the force takes it [m]
+    bool is_open;  // the spring was told that nothing presses and nothing drags
+
+    /// At a trial [m].
+    double at(const Vec3& moved) const { return start + normal.dot(moved); }
   };
-  static double pressureOf(const Candidate& candidate, const Trial& trial);
-  Trial tryAt(const Candidate& candidate, const Vec3& moved) const;
+  Vec3 slipAt(const Candidate& candidate, const Vec3& moved) const;
+  void updatePressed(int i, double gap, const Vec3& moved, Spring* spring) const;
   void softenStiffest(const StepStart& start);
   const std::vector<Touch>& touchesOnSkin();
   void continueTouches(const std::vector<Touch>& touches, double time_step);
-  Touch touchOf(const Candidate& candidate, const Trial& trial, double most) const;
+  Touch touchOf(const Candidate& candidate, double gap, const Vec3& moved, double most) const;
 
   double friction_;
   ContactSkin* skin_;
@@ -71,6 +74,7 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   std::vector<Touch> renumbered_;  // the memory's touches, by partner and sample of another skin
   Legacy legacy_;
   std::vector<Candidate> candidates_;  // by partner and sample
+  std::vector<Gap> gaps_;              // of each
   std::vector<double> most_;           // friction's bound on each [N]
 };
 
