@@ -21,7 +21,7 @@ usage() {
 PARTS=(quick sanitizers threads fuzzers slow realtime report)
 
 # What each takes on two cores [min], build included.
-declare -A MINUTES=([quick]=12 [sanitizers]=35 [threads]=5 [fuzzers]=6 [slow]=8 [realtime]=2 [report]=8)
+declare -A MINUTES=([quick]=12 [sanitizers]=35 [threads]=5 [fuzzers]=6 [slow]=25 [realtime]=2 [report]=8)
 
 chosen=()
 minutes=
