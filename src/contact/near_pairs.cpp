@@ -100,7 +100,6 @@ void NearPairs::renumber(const SurfaceMatch& known, Pair* pair) const {
 void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
                        double reach, int threads) {
   frames_.update(x, ahead, SHAPE_SHARE * base_margin_, threads);
-  close_frames_.update(x, ahead, SHAPE_SHARE * narrow_margin_, threads);
   findClosePieces(reach);
   active_.clear();
   stale_.clear();
@@ -130,7 +129,7 @@ void NearPairs::update(const ContactSurface& surface, const std::vector<Vec3>& x
   for (std::size_t i = 0; i < stale_.size(); ++i) startSearch(reach, i);
   searchShares(surface, x, threads);
   addFresh(surface, x, threads);
-  parallelFor(static_cast<int>(active_.size()), threads, [&](int i) { narrow(surface, x, active_[i]); });
+  narrowAll(surface, x, ahead, threads);
   searches_ += static_cast<int>(stale_.size());
 }
 
@@ -232,6 +231,17 @@ void NearPairs::addFresh(const ContactSurface& surface, const std::vector<Vec3>&
     pair->is_searched = true;
     pair->is_incomplete = false;
   });
+}
+
+/// A piece by itself, as one that is being cut, has too little near for that to pay.
+void NearPairs::narrowAll(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
+                          int threads) {
+  if (std::all_of(active_.begin(), active_.end(), [](const Pair* pair) { return pair->a == pair->b; })) {
+    for (Pair* pair : active_) pair->is_narrow = false;
+    return;
+  }
+  close_frames_.update(x, ahead, SHAPE_SHARE * narrow_margin_, threads);
+  parallelFor(static_cast<int>(active_.size()), threads, [&](int i) { narrow(surface, x, active_[i]); });
 }
 
 /// Looks once more, and less far, through what is near. Where the two move so much that it would soon be out of date

@@ -79,6 +79,8 @@ class NearPairs {
   void renumber(const SurfaceMatch& known, Pair* pair) const;
   void addFresh(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
   void startSearch(double reach, std::size_t stale);
+  void narrowAll(const ContactSurface& surface, const std::vector<Vec3>& x, const std::vector<Vec3>& ahead,
+                 int threads);
   void narrow(const ContactSurface& surface, const std::vector<Vec3>& x, Pair* pair) const;
   void searchShares(const ContactSurface& surface, const std::vector<Vec3>& x, int threads);
 
