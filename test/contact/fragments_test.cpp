@@ -204,6 +204,38 @@ PlaneCut slit(const Vec3& point, const Vec3& normal, double size) {
   return cut;
 }
 
+// While others were near, what a piece has near itself was looked at less far.
+TEST(FragmentFinder, FindsWhereAPieceMeetsItselfAlsoWhenTheOthersHaveGone) {
+  Touching rig({6, 4, 4}, Vec3(1.5, 1, 1));
+  ASSERT_TRUE(rig.cut(plane(Vec3(1.3, 0.5, 0.5), Vec3::UnitX())).changed());
+  PlaneCut open = plane(Vec3(0, 0.5, 0.5), Vec3::UnitZ());  // along faces
+  open.tangent = Vec3::UnitX();
+  open.length = 1.2;
+  open.width = 3;
+  ASSERT_TRUE(rig.cut(open).changed());
+  ASSERT_EQ(rig.pieces(), 2);
+  const int slit = rig.step.pieceOf()[0];
+  std::set<int> above;  // copies of what the slit lies below
+  for (const Part& part : rig.mesh.parts()) {
+    double z = 0;
+    for (int node : rig.mesh.mesh().elements[part.element]) z += rig.mesh.mesh().nodes[node].z() / 4;
+    if (z > 0.5 && rig.step.pieceOf()[part.copies[0]] == slit) above.insert(part.copies.begin(), part.copies.end());
+  }
+  // Over the middles of cells, so that points soon come over other triangles.
+  for (int copy : above) rig.motion.x[copy] += Vec3(0.1, 0.09, 0);
+  rig.find();
+  for (int k = 0; k < 3; ++k) rig.again();
+  rig.move(1 - slit, Vec3(9, 0, 0));
+  rig.again();
+  std::size_t found = 0;
+  for (int k = 0; k < 4; ++k) {
+    for (int copy : above) rig.motion.x[copy] += Vec3(0.01, 0.018, -0.0002);
+    expectAsAfresh(&rig, 0);
+    found += ofFaces(rig.again()).size();
+  }
+  EXPECT_GT(found, 10u);
+}
+
 // Pieces move, slits are cut into them, and now and then one falls apart.
 TEST(FragmentFinder, FindsTheSameWhateverWasThereBeforeTheSurfaceChanged) {
   int found = 0, searches = 0, afresh = 0;
