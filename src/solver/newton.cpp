@@ -182,8 +182,7 @@ bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, const 
   direction_.assign(copies, Vec3::Zero());
   left_.resize(copies);
   const int most = p.most_iterations ? *p.most_iterations - stats_.iterations : std::numeric_limits<int>::max();
-  stats_.iterations +=
-      p.equations->correct(right_, {limit_, most, tight && p.couplers != nullptr}, basis, &direction_, &left_);
+  stats_.iterations += p.equations->correct(right_, {limit_, most, tight}, basis, &direction_, &left_);
   for (Group& group : groups_) group.share = 1;
   if (!p.couplers) return true;
   pull_.resize(copies);

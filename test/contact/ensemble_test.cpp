@@ -95,6 +95,8 @@ TEST_P(Falls, SettleAndGainNoEnergyHoweverStiff) {
       EXPECT_LT(ensemble.highest, 1.01) << young_modulus << ' ' << friction;
       EXPECT_LE(ensemble.quantile(ensemble.solves_in_all, 0.5), 10) << young_modulus << ' ' << friction;
       EXPECT_LE(ensemble.quantile(ensemble.solves, 0.99), 25) << young_modulus << ' ' << friction;
+      // Seen: up to 51, where soft pieces fall from 0.2 m in steps of 10 ms.
+      EXPECT_LE(ensemble.quantile(ensemble.solves_in_all, 0.99), 60) << young_modulus << ' ' << friction;
     }
 }
 
