@@ -15,7 +15,8 @@ DIE = 0.25  # [m] from the die's origin to each of its faces
 PRESSED = 0.01  # [m] that the die presses the block down by
 STIFFNESS = 200  # of contact, in E/h an area
 OFF_AXIS = (0.03, -0.02)  # [m] of the die's origin from the block's axis, along x and y
-STILL = 1e-7  # [J], where the pressed block stores 1 J
+STILL = 1e-5  # of the force that presses: how far that of a block at rest changes
+WATCHED = 40  # [steps] in a row for which the force has to hold still: longer than the block's slowest swing
 
 UPRIGHT = (0, 0, 0, 1)
 UPSIDE_DOWN = (1, 0, 0, 0)  # z points down, y to the other side
@@ -30,7 +31,12 @@ class ToolWrench(unittest.TestCase):
     def setUp(self):
         self.client.reset()
         self.client.activate_tool(False)
+        # The reset ends what the last test was told with a wrench that is not valid.
+        self.client.wait_for(lambda: not self.has_wrench(), 'a wrench that is not valid')
         self.seen = len(self.client.wrenches)
+
+    def has_wrench(self):
+        return any(not wrench.header.stamp.is_zero() for wrench in self.client.wrenches[-1:])
 
     def position(self, above):
         """Of the die, when its lower face is that high above the block at rest."""
@@ -44,9 +50,12 @@ class ToolWrench(unittest.TestCase):
         return self.client.wrenches[-1]
 
     def stays(self, pose):
-        """Whether the block is pressed and still. Its pose is told again meanwhile, lest the tool become stale."""
+        """Whether the block is pressed and its force steady. Its pose is told again meanwhile, lest the tool become
+        stale."""
         self.client.move_tool(pose)
-        return self.client.state.max_displacement > 0.9 * PRESSED and self.client.state.kinetic_energy < STILL
+        told = [force(wrench) for wrench in self.client.wrenches[self.seen:][-WATCHED:]]
+        pressed = self.client.state.max_displacement > 0.9 * PRESSED
+        return pressed and len(told) == WATCHED and numpy.ptp(told, axis=0).max() < STILL * numpy.linalg.norm(told[-1])
 
     def check_press(self, orientation):
         """Block and contact are two springs in a row: E A / L, and 200 E/h A where h is within a factor 2 of the
@@ -116,7 +125,7 @@ class ToolWrench(unittest.TestCase):
         self.assertEqual([], self.client.wrenches[self.seen:])
         self.press(UPRIGHT)
         self.client.reset()
-        self.client.wait_for(lambda: self.client.wrenches[-1].header.stamp.is_zero(), 'a wrench that is not valid')
+        self.client.wait_for(lambda: not self.has_wrench(), 'a wrench that is not valid')
 
 
 if __name__ == '__main__':
