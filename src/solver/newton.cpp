@@ -169,7 +169,7 @@ bool Newton::takeSprings(const StepProblem& p) {
 bool Newton::findDirection(const StepProblem& p, const PieceNorms& norms, const Basis* basis, bool tight) {
   const std::size_t copies = alone_.size();
   limit_ = norms.measures();
-  const bool again = !basis && !p.couplers && left_over_ < NEARLY * p.tolerance;
+  const bool again = tight && !basis && left_over_ < NEARLY * p.tolerance;
   const double asked = (again ? AGAIN : 1) * p.tolerance;
   for (double& limit : limit_) limit *= asked * asked;
   right_ = alone_;
