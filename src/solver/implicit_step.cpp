@@ -308,27 +308,22 @@ void ImplicitStep::findWrenches(const Couplers& couplers, const Motion& start) {
 }
 
 /// The momentum of a free piece changes by the impulses of loads, weight and springs alone, whatever a solve has left
-/// of it: what is off is shared by all its copies. Where nothing was to solve, not of pieces on which springs act:
-/// these would resist that motion, and drive the piece by more than what was off.
+/// of it: what is off is shared by all its copies.
 void ImplicitStep::balanceMomentum(bool coupled, std::vector<Vec3>* dv) {
   const double alpha = time_step_ * assembly_.materials().massDamping();
   const std::vector<double>& masses = assembly_.masses();
   off_.assign(static_cast<std::size_t>(pieces_), Vec3::Zero());
   bool any = false;
   for (double mass : piece_mass_) any = any || std::isfinite(mass);
-  resists_.assign(off_.size(), false);
-  const bool was_at_rest = coupled && newton_.stats().solves == 0 && !isDirect();
   for (std::size_t c = 0; any && c < dv->size(); ++c) {
     Vec3& off = off_[static_cast<std::size_t>(piece_[c])];
     off += external_[c] - masses[c] * ((*dv)[c] + alpha * (base_.v[c] + base_.u[c] + (*dv)[c]));
     if (coupled) off += newton_.impulsesOnCopies()[c];
-    if (was_at_rest && !newton_.impulsesOnCopies()[c].isZero(0)) resists_[static_cast<std::size_t>(piece_[c])] = true;
     if (!given_.empty()) off -= given_[c];
   }
   for (std::size_t c = 0; any && c < dv->size(); ++c) {
     const auto piece = static_cast<std::size_t>(piece_[c]);
-    if (std::isfinite(piece_mass_[piece]) && !resists_[piece])
-      (*dv)[c] += off_[piece] / ((1 + alpha) * piece_mass_[piece]);
+    if (std::isfinite(piece_mass_[piece])) (*dv)[c] += off_[piece] / ((1 + alpha) * piece_mass_[piece]);
   }
 }
 

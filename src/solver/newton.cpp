@@ -32,6 +32,7 @@ bool Newton::solve(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   start(p, norms, dv);
   if (left_over_ <= p.tolerance) {
     if (!coupled) p.equations->balance(dv);
+    if (coupled) balanceRigidly(p, dv);
     return true;
   }
   if (!coupled && !p.equations->isDirect() && norms->floatIsTooCoarse(p.basis[0], p.tolerance))
@@ -152,6 +153,17 @@ bool Newton::guessRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
   rigid_guess_.addTo(p.rigid, p.x, dv);
   p.equations->residual(*dv, &alone_);
   return true;
+}
+
+/// The momentum of each free piece changes by what acts on it, also by what is below the tolerance. Its share is not a
+/// motion of the piece alone: springs would resist that, and drive it by more.
+void Newton::balanceRigidly(const StepProblem& p, std::vector<Vec3>* dv) {
+  if (!driveFreePieces(p)) return;
+  rigid_guess_.step(p.rigid, p.time_step, p.threads, p.x, alone_, p.couplers->springs(), &moved_);
+  rigid_guess_.addTo(p.rigid, p.x, dv);
+  p.couplers->update(moved_);
+  findImpulses(p);
+  shareImpulses();
 }
 
 /// Those of groups that have settled stay as they are.

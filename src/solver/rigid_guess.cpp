@@ -23,13 +23,9 @@ RigidGuess::~RigidGuess() = default;
 void RigidGuess::find(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
                       const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved) {
   Work& w = *work_;
-  w.threads = threads;
-  w.findEnds(rigid, x, couplers->springs());
   couplers->takeBounds(*moved);
   couplers->update(*moved);
-  if (w.piece.empty()) return;
-  w.findPattern();
-  w.drive(rigid, x, driving);
+  if (!w.begin(rigid, threads, x, driving, couplers->springs())) return;
   for (int k = 0; k < MAX_STEPS; ++k) {
     if (!w.findStep(time_step, couplers->springs(), *moved)) break;
     const double share = w.searchLine(couplers, *moved);
@@ -41,6 +37,14 @@ void RigidGuess::find(const RigidPieces& rigid, double time_step, int threads, c
   }
 }
 
+void RigidGuess::step(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
+                      const std::vector<Vec3>& driving, const std::vector<Spring>& springs, std::vector<Vec3>* moved) {
+  Work& w = *work_;
+  if (!w.begin(rigid, threads, x, driving, springs) || !w.findStep(time_step, springs, *moved)) return;
+  w.equations->q = w.equations->step;
+  for (std::size_t i = 0; i < moved->size(); ++i) (*moved)[i] += w.way[i];
+}
+
 void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std::vector<Vec3>* dv) const {
   const Work& w = *work_;
   if (w.piece.empty()) return;
@@ -48,6 +52,17 @@ void RigidGuess::addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std
     const int piece = rigid.pieceOf(c), number = w.number[static_cast<std::size_t>(piece)];
     if (number >= 0) (*dv)[c] += Work::End{number, {1, x[c] - rigid.centreOf(piece)}}.wayOf(w.equations->q);
   }
+}
+
+/// Returns whether springs act on a free piece.
+bool RigidGuess::Work::begin(const RigidPieces& rigid, int of_threads, const std::vector<Vec3>& x,
+                             const std::vector<Vec3>& on_copies, const std::vector<Spring>& springs) {
+  threads = of_threads;
+  findEnds(rigid, x, springs);
+  if (piece.empty()) return false;
+  findPattern();
+  drive(rigid, x, on_copies);
+  return true;
 }
 
 void RigidGuess::Work::drive(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies) {

@@ -52,6 +52,8 @@ struct RigidGuess::Work {
   std::vector<Vec3> way, tried, expected;  // of each spring
   std::vector<Eigen::Vector2d> terms;      // of each spring, to be added up or compared
 
+  bool begin(const RigidPieces& rigid, int of_threads, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies,
+             const std::vector<Spring>& springs);
   void findEnds(const RigidPieces& rigid, const std::vector<Vec3>& x, const std::vector<Spring>& springs);
   void findPattern();
   void findUses();

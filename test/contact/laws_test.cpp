@@ -153,10 +153,18 @@ TEST(Contact, LeavesNextToNothingToSolveInAStackThatRests) {
     DeformableBody body(scene, loadMesh(scene));
     take(&body, 400);
     int iterations = 0, solves = 0;
+    body.wantWrenches(true);
+    const double weight = body.motion().mass * G;
     for (int k = 0; k < 100; ++k) {
+      const Vec3 before = body.motion().momentum;
       const StepResult result = body.step();
       iterations += result.iterations;
       solves += result.solves;
+      // Also what a step leaves because it is too little to solve for.
+      const Vec3 force = Vec3(0, 0, -weight) - body.wrenches().ground.force;
+      ASSERT_LT((body.motion().momentum - before - scene.solver.time_step * force).norm(),
+                1e-12 * scene.solver.time_step * weight)
+          << seed;
     }
     EXPECT_EQ(body.counts().pieces, 3);
     EXPECT_LE(solves, 90) << seed;

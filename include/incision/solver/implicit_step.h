@@ -200,7 +200,6 @@ class ImplicitStep : private StepEquations {
   bool matrix_ready_ = false, rotated_ = false;
   const std::vector<Vec3>* start_x_ = nullptr;
   std::vector<Vec3> off_;      // momentum of each piece [N s]
-  std::vector<char> resists_;  // of each piece
   std::vector<Vec3> given_;    // momentum that the base has got from couplers, by copy [N s]; empty: none
   std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, pulls_, levers_;
   std::vector<Vec3> lag_;  // how fast x̂ would get to where the rotations are, by copy [m/s]; empty: it is there

@@ -122,6 +122,7 @@ class Newton {
   bool isNearRest(const StepProblem& p) const;
   bool driveFreePieces(const StepProblem& p) const;
   bool guessRigidly(const StepProblem& p, std::vector<Vec3>* dv);
+  void balanceRigidly(const StepProblem& p, std::vector<Vec3>* dv);
   bool takeSprings(const StepProblem& p);
   bool findDirection(const StepProblem& p, const PieceNorms& norms, const Basis* basis, bool tight);
   void loosen(const PieceNorms& norms, double looseness);

@@ -22,6 +22,10 @@ class RigidGuess {
   void find(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
             const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved);
 
+  /// The same by one Newton step with the springs as they are.
+  void step(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
+            const std::vector<Vec3>& driving, const std::vector<Spring>& springs, std::vector<Vec3>* moved);
+
   /// Adds these motions to `dv` [m/s].
   void addTo(const RigidPieces& rigid, const std::vector<Vec3>& x, std::vector<Vec3>* dv) const;
 

@@ -13,7 +13,7 @@
 namespace incision::test {
 namespace {
 
-constexpr double TOLERANCE = 1e-10, G = 9.81, CLOSED = 0.1;
+constexpr double BALANCED = 1e-10, G = 9.81, CLOSED = 0.1;
 /// A step has settled when its forces are as near as that to what they should be.
 constexpr double SETTLED = 1e-3;
 
@@ -29,7 +29,7 @@ RigSettings settingsOf(double young_modulus, double time_step, Method method = M
   RigSettings settings;
   settings.material = {young_modulus, 0.3, 1000, damping, 0};
   settings.conditions.gravity = Vec3(0, 0, -G);
-  settings.solver = {time_step, method, TOLERANCE, 1};
+  settings.solver = {time_step, method, 1e-10, 1};
   return settings;
 }
 
@@ -40,8 +40,6 @@ Pose down(const Vec3& position) { return {position, Eigen::Quaterniond(Eigen::An
 struct GripRig : Rig {
   GripRig(TetMesh rest, const RigSettings& settings, double most, int tools = 1, const ForcepsForm& form = {})
       : Rig(std::move(rest), settings), weight(0, 0, 0), mouth(forceps(form), CLOSED) {
-    // Where the iteration finds nothing to solve, what is below its tolerance stays as it is.
-    balanced = (settings.solver.method == Method::DIRECT ? 1 : 10) * TOLERANCE;
     for (int i = 0; i < tools; ++i) {
       tool.push_back(std::make_unique<ToolInStep>());
       grip.push_back(std::make_unique<Grip>(most, mouth, tool.back().get(), materials, mesh));
@@ -71,7 +69,7 @@ struct GripRig : Rig {
     const Vec3 damped = -massDamping() * time_step * momentum();
     largest_force = std::max({largest_force, felt.norm(), weight.norm()});
     EXPECT_LT((momentum() - before - damped - time_step * (weight - felt)).norm(),
-              balanced * time_step * largest_force);
+              BALANCED * time_step * largest_force);
     return tool[0]->felt[0].force;
   }
   Vec3 rest(int steps = 1) {
@@ -98,7 +96,7 @@ struct GripRig : Rig {
   std::vector<std::unique_ptr<Grip>> grip;
   std::vector<Coupler*> list;
   Couplers couplers;
-  double largest_force = 0, balanced = 0;  // [N]; as a share of it
+  double largest_force = 0;
 };
 
 const Vec3 ABOVE(0, 0, 0.005);  // of the tool: the jaws reach 15 mm into the block
