@@ -53,7 +53,7 @@ void RigidPieces::topologyChanged(const std::vector<int>& piece, int pieces, con
 /// (M v) and J = Σ (r · q) 1 − q rᵀ with q = M r.
 void RigidPieces::measure(const Assembly& assembly, const Motion& motion) {
   const std::vector<double>& masses = assembly.masses();
-  bodies_.assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero()});
+  bodies_.assign(free_.size(), {0, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Zero(), false});
   const std::size_t copies = motion.x.size();
   for (std::size_t c = 0; c < copies; ++c) {
     if (!isFree(c)) continue;
@@ -161,6 +161,7 @@ bool RigidPieces::kick(const Assembly& assembly, const std::vector<Vec3>& x, con
     Kick& kick = kicks_[piece];
     if (!kick.is_coupled) continue;
     Body& body = bodies_[piece];
+    body.is_kicked = true;
     const Vec3 spin = body.spin;
     for (double share = 1;; share = share > LEAST_SHARE ? share / 2 : 0) {
       body.spin = spin + share * kick.spin;
@@ -233,11 +234,12 @@ void RigidPieces::finish(const StepBase& base, const std::vector<Vec3>& dv, Moti
   }
 }
 
-/// Of each free piece on which couplers have acted.
+/// Of each free piece on which couplers have acted, or were thought to when the base was made.
 void RigidPieces::findKicks(const Assembly& assembly, const StepBase& base, const std::vector<Vec3>& dv,
                             const std::vector<Vec3>& impulses, const std::vector<Vec3>& x) {
   kicks_.assign(free_.size(), Kick());
   if (!any_free_) return;
+  for (std::size_t piece = 0; piece < kicks_.size(); ++piece) kicks_[piece].is_coupled = bodies_[piece].is_kicked;
   for (std::size_t c = 0; c < dv.size(); ++c)
     if (isFree(c) && !impulses[c].isZero(0)) kicks_[static_cast<std::size_t>(piece_[c])].is_coupled = true;
   kicked_.resize(free_.size());

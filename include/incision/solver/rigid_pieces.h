@@ -82,6 +82,7 @@ class RigidPieces {
     double mass;
     Vec3 centre, velocity, spin;  // c [m], V [m/s], L [kg m²/s]
     Mat3 inertia;                 // J [kg m²]
+    bool is_kicked;               // couplers' impulses are in it
     Mat3 symmetricInertia() const { return 0.5 * (inertia + inertia.transpose()); }
   };
   /// A rigid motion over a step.
