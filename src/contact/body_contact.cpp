@@ -9,7 +9,9 @@ BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obsta
     : Contact(settings.friction, skin), self_(settings.self), obstacles_(obstacles), motions_(motions) {}
 
 bool BodyContact::holds(const StepSpan& span, Span<const Vec3> moved, const Motion& end) {
-  return fragments_.isAsReckoned(skin().surface(), candidates(), moved, span.to - span.from, end.x, skin().threads());
+  interpolate(*skin().surface().surface, end.x, skin().threads(), &ends_);
+  return areSolidsAsReckoned(skin(), span, {obstacles_, motions_}, candidates(), moved, ends_) &&
+         fragments_.isAsReckoned(skin().surface(), candidates(), moved, span.to - span.from, end.x, skin().threads());
 }
 
 void BodyContact::addWrenches(Span<const Vec3> impulses, Span<const Vec3> levers, double time, Wrench* ground,

@@ -1,5 +1,6 @@
 #include "incision/contact/solid_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,6 +18,10 @@ constexpr double LEAST_SIDE = 0.5;
 /// Least share of its weights that a vertex of a slit must have for itself to be pushed aside: with less the material
 /// at the slit's end keeps its two faces together, and copies would have to go ten times as far as the vertex.
 constexpr double LEAST_UNSHARED = 0.1;
+
+/// What vertices may be deeper in a solid at the end of a step than was reckoned, in elements. A part of a step has its
+/// share.
+constexpr double DEEPER_IN_SOLID = 0.1;
 
 Eigen::Isometry3d toIsometry(const Pose& pose) { return Eigen::Translation3d(pose.position) * pose.orientation; }
 
@@ -177,6 +182,32 @@ bool mayMeet(const ContactSkin& skin, int vertex, const MovingShape& shape) {
   return (skin.x()[vertex] - shape.from.translation()).squaredNorm() <= room * room && skin.surface().area[vertex] > 0;
 }
 
+/// How deep in its solid the vertex of a candidate comes by this way [m].
+double depthBy(const Candidate& candidate, const Vec3& way) {
+  return -candidate.gap - candidate.normal.dot(way - candidate.drift);
+}
+
+/// Whether one of these vertices that is no candidate ends deeper in a solid than this, in elements.
+bool isEntered(const ContactSkin& skin, const StepSpan& span, const SolidsInStep& solids,
+               const std::vector<Candidate>& candidates, const std::vector<Vec3>& x, const std::vector<int>& vertices,
+               double deep) {
+  auto known = candidates.begin();
+  for (std::size_t o = 0; o < solids.solids.shapes.size(); ++o) {
+    const MovingShape shape = placeShape(solids.solids.shapes[o], solids, span);
+    for (const int i : vertices) {
+      if ((x[i] - shape.to.translation()).squaredNorm() > shape.reach * shape.reach) continue;
+      Candidate at;
+      at.sample = i;
+      at.partner = static_cast<int>(o);
+      while (known != candidates.end() && comesBefore(*known, at)) ++known;
+      if (known != candidates.end() && !comesBefore(at, *known)) continue;
+      const Vec3 local = shape.to.inverse(Eigen::Isometry) * x[i];
+      if (shape.solid->distanceTo(local).distance < -deep * skin.surface().size[i]) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const SolidsInStep& solids,
@@ -205,6 +236,24 @@ void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const Soli
       candidates->push_back(*candidate);
     }
   }
+}
+
+bool areSolidsAsReckoned(const ContactSkin& skin, const StepSpan& span, const SolidsInStep& solids,
+                         const std::vector<Candidate>& candidates, Span<const Vec3> moved, const std::vector<Vec3>& x) {
+  const double share = (span.to - span.from) * DEEPER_IN_SOLID;
+  for (int i = 0; i < moved.size(); ++i) {
+    const Candidate& candidate = candidates[static_cast<std::size_t>(i)];
+    if (candidate.isOfBody()) continue;
+    const double allowed = share * candidate.size + std::max(depthBy(candidate, moved[i]), candidate.ignored);
+    if (depthBy(candidate, x[candidate.sample] - skin.x()[candidate.sample]) > allowed) return false;
+  }
+  std::vector<int> astray;  // far from where they were foreseen to go
+  for (int i = 0; i < static_cast<int>(x.size()); ++i) {
+    const double far = (MARGIN + share) * skin.surface().size[i];
+    const bool is_far = (x[i] - skin.x()[i] - skin.ahead()[i]).squaredNorm() > far * far;
+    if (is_far && skin.surface().area[i] > 0) astray.push_back(i);
+  }
+  return astray.empty() || !isEntered(skin, span, solids, candidates, x, astray, share);
 }
 
 }  // namespace incision

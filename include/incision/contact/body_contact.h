@@ -32,6 +32,7 @@ class BodyContact : public Contact {
   const Obstacles& obstacles_;
   const std::vector<RigidMotion>& motions_;
   FragmentFinder fragments_;
+  std::vector<Vec3> ends_;  // of the skin's vertices, where a step ends [m]
 };
 
 }  // namespace incision

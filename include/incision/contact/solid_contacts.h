@@ -35,4 +35,10 @@ struct SolidsInStep {
 void findSolidContacts(const ContactSkin& skin, const StepSpan& span, const SolidsInStep& solids,
                        const std::vector<Touch>& touches, std::vector<Candidate>* candidates);
 
+/// Whether no vertex is deeper in a solid at the end of the step, where the vertices are at `x` [m], than was reckoned
+/// with the displacements `moved` of the candidates [m], by more than is allowed; nor one that is no candidate, since
+/// an impact may turn a piece so that it goes where nothing was foreseen.
+bool areSolidsAsReckoned(const ContactSkin& skin, const StepSpan& span, const SolidsInStep& solids,
+                         const std::vector<Candidate>& candidates, Span<const Vec3> moved, const std::vector<Vec3>& x);
+
 }  // namespace incision
