@@ -25,8 +25,9 @@ constexpr double STIFFER_ON_OBSTACLES = 12;
 constexpr double IMPACT_DEPTH = 0.005, SQUEEZE_DEPTH = 0.0005, STIFFEST_IMPACT = 1000;
 
 /// What a point that slides resists along its way, as a share of what it does across it. Along it the force is
-/// constant, so that a Newton step would go far beyond where it turns round.
-constexpr double SLIDING = 0.2;
+/// constant, so that a Newton step would go far beyond where it turns round; what has turned round since the last one
+/// resists all of it, lest it turn again and again.
+constexpr double SLIDING = 0.2, TURNED = 1;
 
 /// Gaps this small, in elements, are rounding: faces just cut lie in each other's plane.
 constexpr double TOUCHING = 1e-9;
@@ -68,12 +69,13 @@ bool Contact::begin(const StepStart& start, std::vector<Spring>* springs) {
   };
   candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), too_deep), candidates_.end());
   gaps_.clear();
+  frictions_.clear();
   for (const Candidate& candidate : candidates_) {
     springs->push_back(candidate.point);
     const double unmoved = candidate.gap + candidate.ignored + TOUCHING * candidate.size;
     gaps_.push_back({candidate.normal, unmoved - candidate.normal.dot(candidate.drift), true});
+    frictions_.push_back({0, Vec3::Zero(), SLIDING});
   }
-  most_.assign(candidates_.size(), 0);
   return !candidates_.empty() || !memory_.empty();
 }
 
@@ -140,18 +142,31 @@ Vec3 Contact::slipAt(const Candidate& candidate, const Vec3& moved) const {
 }
 
 /// Friction may be as large as the pressure allows.
-void Contact::takeBounds(Span<const Vec3> moved, double share) {
+void Contact::takeBounds(Span<const Vec3> moved, Span<const double> share) {
+  if (friction_ == 0) return;
   parallelFor(moved.size(), skin_->threads(), [&](int i) {
     const double gap = gaps_[i].at(moved[i]), most = gap < 0 ? friction_ * candidates_[i].stiffness * -gap : 0;
-    most_[i] += share * (most - most_[i]);
+    frictions_[i].most += share[i] * (most - frictions_[i].most);
+    findSteepness(i, moved[i]);
   });
+}
+
+/// Here, and with what is remembered of where the search was before.
+void Contact::findSteepness(int i, const Vec3& moved) {
+  Friction& friction = frictions_[static_cast<std::size_t>(i)];
+  const Candidate& candidate = candidates_[static_cast<std::size_t>(i)];
+  Vec3 slid = Vec3::Zero();
+  if (friction.most > 0) slid = slipAt(candidate, moved);
+  if (!(candidate.tangential * slid.norm() > friction.most)) slid.setZero();
+  friction.steepness = slid.dot(friction.slid) < 0 ? TURNED : SLIDING;
+  friction.slid = slid;
 }
 
 /// The forces descend from ½ k g², where g is negative, and from ½ k_t s², which goes on evenly beyond the bound.
 void Contact::update(Span<const Vec3> moved, Span<Spring> springs) {
   parallelFor(moved.size(), skin_->threads(), [&](int i) {
     const double gap = gaps_[i].at(moved[i]);
-    const bool is_open = !(gap < 0) && !(most_[i] > 0), was_open = std::exchange(gaps_[i].is_open, is_open);
+    const bool is_open = !(gap < 0) && !(frictions_[i].most > 0), was_open = std::exchange(gaps_[i].is_open, is_open);
     if (!is_open)
       updatePressed(i, gap, moved[i], &springs[i]);
     else if (!was_open)
@@ -161,7 +176,8 @@ void Contact::update(Span<const Vec3> moved, Span<Spring> springs) {
 
 void Contact::updatePressed(int i, double gap, const Vec3& moved, Spring* spring) const {
   const Candidate& candidate = candidates_[static_cast<std::size_t>(i)];
-  const double pressure = std::max(0.0, -candidate.stiffness * gap), most = most_[static_cast<std::size_t>(i)];
+  const Friction& friction = frictions_[static_cast<std::size_t>(i)];
+  const double pressure = std::max(0.0, -candidate.stiffness * gap), most = friction.most;
   const Mat3 across = candidate.normal * candidate.normal.transpose();
   Vec3 force = pressure * candidate.normal;
   Mat3 stiffness = gap < 0 ? Mat3(candidate.stiffness * across) : Mat3::Zero();
@@ -172,7 +188,7 @@ void Contact::updatePressed(int i, double gap, const Vec3& moved, Spring* spring
     const double secant = slides ? most / drag : k;
     force -= secant * slip;
     stiffness += secant * (Mat3::Identity() - across);
-    if (slides) stiffness -= (1 - SLIDING) * secant / (drag * drag) * slip * slip.transpose();
+    if (slides) stiffness -= (1 - friction.steepness) * secant / (drag * drag) * slip * slip.transpose();
   }
   spring->set(stiffness, force, moved);
 }
@@ -205,7 +221,7 @@ void Contact::accept(const StepSpan& /*span*/, Span<const Vec3> moved, const Mot
     const bool presses = gap < 0, is_near = gap < candidate.ignored + MARGIN * candidate.size;
     // What is in an obstacle, or beside it, is known to be on this side of it, pressed or not; edges likewise.
     if (!presses && (candidate.partner == Candidate::BODY || !is_near)) continue;
-    const Touch touch = touchOf(candidate, gap, moved[i], most_[i]);
+    const Touch touch = touchOf(candidate, gap, moved[i], frictions_[i].most);
     memory_.push_back(touch);
     if (!presses) continue;
     ++report_.count;

@@ -90,11 +90,12 @@ bool Cohesion::begin(const StepStart& start, std::vector<Spring>* springs) {
 /// A traction that falls as a section opens has no convex potential; one that rises to a limit and stays there has. So
 /// the limit is a bound: the traction where the section has come to. It goes wrong by no more than the tissue beside
 /// the section would be stretched by what the traction has still to fall.
-void Cohesion::takeBounds(Span<const Vec3> moved, double share) {
-  for (std::size_t i = 0; i < stretches_.size(); ++i) {
-    Stretch& stretch = stretches_[i];
-    const Vec3 y = stretch.start + moved[static_cast<int>(i)], &n = stretch.normal;
-    stretch.limit += share * (traction(memory_.bonds[i], (y - std::min(0.0, n.dot(y)) * n).norm()) - stretch.limit);
+void Cohesion::takeBounds(Span<const Vec3> moved, Span<const double> share) {
+  for (int i = 0; i < moved.size(); ++i) {
+    Stretch& stretch = stretches_[static_cast<std::size_t>(i)];
+    const Vec3 y = stretch.start + moved[i], &n = stretch.normal;
+    const double limit = traction(memory_.bonds[static_cast<std::size_t>(i)], (y - std::min(0.0, n.dot(y)) * n).norm());
+    stretch.limit += share[i] * (limit - stretch.limit);
   }
 }
 

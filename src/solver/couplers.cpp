@@ -1,8 +1,16 @@
 #include "incision/solver/couplers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace incision {
+namespace {
+
+/// What springs do beside the straight ways, as a share of what they do along them: in contact friction takes more than
+/// this away. It is lost in rounding where the ways are shorter than this share of the largest coordinate.
+constexpr double MOST_BESIDE = 0.3, SHORT_WAY = 1e-9;
+
+}  // namespace
 
 Couplers::Couplers(std::vector<Coupler*> list)
     : list_(std::move(list)), takes_part_(list_.size(), false), first_(list_.size() + 1, 0) {}
@@ -25,9 +33,9 @@ bool Couplers::begin(const StepStart& start) {
   return any;
 }
 
-void Couplers::takeBounds(const std::vector<Vec3>& moved, double share) {
+void Couplers::takeBounds(const std::vector<Vec3>& moved, const std::vector<double>& share) {
   for (std::size_t i = 0; i < list_.size(); ++i)
-    if (takes_part_[i]) list_[i]->takeBounds(ofCoupler(i, moved), share);
+    if (takes_part_[i]) list_[i]->takeBounds(ofCoupler(i, moved), ofCoupler(i, share));
 }
 
 void Couplers::update(const std::vector<Vec3>& moved) {
@@ -60,6 +68,25 @@ bool Couplers::hold(const std::vector<Vec3>& moved, const Motion& end) {
   for (std::size_t i = 0; i < list_.size(); ++i)
     if (takes_part_[i] && !list_[i]->holds(span_, ofCoupler(i, moved), end)) return false;
   return true;
+}
+
+bool Couplers::driveOn(const std::vector<Vec3>& impulses, const std::vector<Vec3>& moved,
+                       const std::vector<Vec3>& start, const std::vector<Vec3>& end) const {
+  double along = 0, beside = 0, all = 0;
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (list_[i]->hasOtherEnd()) continue;
+    for (std::size_t s = first_[i]; s < first_[i + 1]; ++s) {
+      if (impulses[s].isZero(0)) continue;
+      const Vec3 way = weightedSum(springs_[s], end) - weightedSum(springs_[s], start);
+      along += std::abs(impulses[s].dot(moved[s]));
+      beside += impulses[s].dot(way - moved[s]);
+      all += impulses[s].norm();
+    }
+  }
+  if (beside <= MOST_BESIDE * along) return false;
+  double reach = 0;
+  for (const Vec3& x : end) reach = std::max(reach, x.cwiseAbs().maxCoeff());
+  return beside > SHORT_WAY * reach * all;
 }
 
 void Couplers::accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt) {

@@ -240,8 +240,10 @@ bool ImplicitStep::takeChange(const Motion& start, Couplers* couplers) {
   if (!rigid_.takeChange(assembly_, base_, dv_, newton_.impulsesOnCopies(), start.x, turnLimits())) return false;
   motion_ahead_ = start;
   rigid_.finish(base_, dv_, &motion_ahead_);
+  if (demand_ == StepDemand::ANY) return true;
+  if (couplers->driveOn(newton_.impulses(), newton_.moved(), start.x, motion_ahead_.x)) return false;
   const SolveStats& stats = newton_.stats();
-  return demand_ != StepDemand::SOUND ||
+  return demand_ == StepDemand::SHORT_TURNS ||
          ((stats.settled || stats.cut_short) && couplers->hold(newton_.moved(), motion_ahead_));
 }
 

@@ -103,7 +103,8 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   groups_.assign(norms->measures().size(), Group());
   if (p.couplers) {
     place(p, *dv);
-    p.couplers->takeBounds(moved_);
+    bounds_go_.assign(used_.size(), 1);
+    p.couplers->takeBounds(moved_, bounds_go_);
     p.couplers->update(moved_);
     findImpulses(p);
     shareImpulses();
@@ -226,7 +227,11 @@ void Newton::loosen(const PieceNorms& norms, double looseness) {
 /// Where the springs at the end of the direction drive a group back, it has gone too far: finds the point between at
 /// which they drive it nowhere along the line.
 void Newton::searchLines(const StepProblem& p) {
-  for (Group& group : groups_) group = Group();
+  for (Group& group : groups_) {
+    const bool settled = group.settled;
+    group = Group();
+    group.settled = settled;
+  }
   for (std::size_t c = 0; c < alone_.size(); ++c) {
     if (p.held[c] >= 0) continue;
     Group& group = groups_[p.group[c]];
@@ -238,7 +243,9 @@ void Newton::searchLines(const StepProblem& p) {
   trySprings(p, true);
   bool any = false;
   for (Group& group : groups_) {
-    group.searches = group.here < 0 && group.at_start > 0 && !LineSearch::isNear(group.here, group.at_start);
+    // What is left to a group that has settled is rounding.
+    group.searches =
+        !group.settled && group.here < 0 && group.at_start > 0 && !LineSearch::isNear(group.here, group.at_start);
     any = any || group.searches;
   }
   for (int k = 0; any && k < LineSearch::MOST; ++k) {
@@ -292,9 +299,16 @@ void Newton::takeStep(const StepProblem& p, std::vector<Vec3>* dv) {
   }
 }
 
+void Newton::takeBounds(const StepProblem& p) {
+  const double share = stats_.solves > MAX_BOUNDS ? 0 : stats_.solves > FAST_BOUNDS ? 0.5 : 1;
+  bounds_go_.resize(used_.size());
+  for (std::size_t i = 0; i < used_.size(); ++i) bounds_go_[i] = groups_[groupOf(p, used_[i])].share == 1 ? share : 0;
+  p.couplers->takeBounds(moved_, bounds_go_);
+}
+
 /// Takes the bounds and the springs where the points are now, and compares them with what has acted.
 bool Newton::isSettled(const StepProblem& p, const PieceNorms& norms) {
-  if (stats_.solves <= MAX_BOUNDS) p.couplers->takeBounds(moved_, stats_.solves > FAST_BOUNDS ? 0.5 : 1);
+  takeBounds(p);
   p.couplers->update(moved_);
   for (Group& group : groups_) group.largest = group.off = 0;
   for (std::size_t i = 0; i < used_.size(); ++i) {
@@ -311,8 +325,9 @@ bool Newton::isSettled(const StepProblem& p, const PieceNorms& norms) {
   bool all = true;
   for (std::size_t s = 0; s < square_.size(); ++s) {
     Group& group = groups_[group_of_piece_[s]];
-    if (group.share == 1 && group.off <= SETTLED * SETTLED * group.largest) continue;
-    if (square_[s] <= p.tolerance * p.tolerance * norms.measures()[s]) continue;
+    const bool no_change = group.off <= SETTLED * SETTLED * group.largest;
+    const bool nothing_left = square_[s] <= p.tolerance * p.tolerance * norms.measures()[s];
+    if (group.share == 1 && (no_change || nothing_left)) continue;
     group.settled = all = false;
   }
   return all;
@@ -320,7 +335,8 @@ bool Newton::isSettled(const StepProblem& p, const PieceNorms& norms) {
 
 /// Whether it is so under bounds as they are now.
 bool Newton::isSettledAnew(const StepProblem& p, const PieceNorms& norms) {
-  p.couplers->takeBounds(moved_);
+  bounds_go_.assign(used_.size(), 1);
+  p.couplers->takeBounds(moved_, bounds_go_);
   return isSettled(p, norms);
 }
 

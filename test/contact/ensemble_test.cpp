@@ -72,6 +72,13 @@ TEST_P(Falling, PiecesSettleAndGainNoEnergyHoweverStiff) {
 
 INSTANTIATE_TEST_SUITE_P(Stiffness, Falling, ::testing::Values(1e4, 1e6, 1e9));
 
+// In long steps friction finds pieces that it turns on the straight ways of their points, and they turn on round ones.
+TEST(Falling, DrivesNothingOnThatTurnsAgainstOthers) {
+  Ensemble ensemble(1e8, 0.02, 0.3);
+  for (unsigned seed = 0; seed < (SANITIZED ? 1 : 8); ++seed) ensemble.run(seed, SANITIZED ? 5 : 40);
+  EXPECT_EQ(ensemble.rises, 0);
+}
+
 class Falls : public ::testing::TestWithParam<std::tuple<double, double>> {};
 
 TEST_P(Falls, SettleAndGainNoEnergyHoweverStiff) {
@@ -88,13 +95,13 @@ TEST_P(Falls, SettleAndGainNoEnergyHoweverStiff) {
           ensemble.unsettled, ensemble.quantile(ensemble.solves, 0.5), ensemble.quantile(ensemble.solves, 0.99),
           ensemble.quantile(ensemble.solves, 1), ensemble.divided, ensemble.quantile(ensemble.solves_in_all, 0.99),
           ensemble.quantile(ensemble.solves_in_all, 1));
-      // Seen: up to 3 of 2,400, by 1.3 % of the whole, where steps of 20 ms meet friction.
-      EXPECT_LE(400 * ensemble.rises, ensemble.steps) << young_modulus << ' ' << friction;
-      EXPECT_LT(ensemble.largest_rise, 0.1) << young_modulus << ' ' << friction;
+      // Seen: none in any setting, on either arithmetic.
+      EXPECT_LE(1000 * ensemble.rises, ensemble.steps) << young_modulus << ' ' << friction;
+      EXPECT_LT(ensemble.largest_rise, 0.01) << young_modulus << ' ' << friction;
       EXPECT_LE(1000 * ensemble.unsettled, ensemble.steps) << young_modulus << ' ' << friction;
       EXPECT_LT(ensemble.highest, 1.01) << young_modulus << ' ' << friction;
       EXPECT_LE(ensemble.quantile(ensemble.solves_in_all, 0.5), 10) << young_modulus << ' ' << friction;
-      EXPECT_LE(ensemble.quantile(ensemble.solves, 0.99), 25) << young_modulus << ' ' << friction;
+      EXPECT_LE(ensemble.quantile(ensemble.solves, 0.99), 20) << young_modulus << ' ' << friction;
       // Seen: up to 51, where soft pieces fall from 0.2 m in steps of 10 ms.
       EXPECT_LE(ensemble.quantile(ensemble.solves_in_all, 0.99), 60) << young_modulus << ' ' << friction;
     }

@@ -68,7 +68,8 @@ class BrokenBar : public Rig {
     std::vector<Vec3> moved;
     for (const Spring& spring : springs) moved.push_back(weightedSum(spring, ways));
     if (springs.empty()) return moved;
-    cohesion.takeBounds(spanOf(moved), 1);
+    const std::vector<double> all(moved.size(), 1);
+    cohesion.takeBounds(spanOf(moved), {all.data(), all.data() + all.size()});
     cohesion.update(spanOf(moved), {springs.data(), springs.data() + springs.size()});
     return moved;
   }

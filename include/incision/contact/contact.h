@@ -23,7 +23,7 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
 
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& start, std::vector<Spring>* springs) override;
-  void takeBounds(Span<const Vec3> moved, double share) override;
+  void takeBounds(Span<const Vec3> moved, Span<const double> share) override;
   void update(Span<const Vec3> moved, Span<Spring> springs) override;
   void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   void recall(const std::any& kept) override;
@@ -59,8 +59,15 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
     /// At a trial [m].
     double at(const Vec3& moved) const { return start + normal.dot(moved); }
   };
+  /// Of a candidate, in the search for the solution.
+  struct Friction {
+    double most;       // its bound [N]
+    Vec3 slid;         // where it was last: how far it had dragged if it slid there, or zero [m]
+    double steepness;  // what it resists along its way while it slides, as a share of what it does across it
+  };
   Vec3 slipAt(const Candidate& candidate, const Vec3& moved) const;
   void updatePressed(int i, double gap, const Vec3& moved, Spring* spring) const;
+  void findSteepness(int i, const Vec3& moved);
   void softenStiffest(const StepStart& start);
   const std::vector<Touch>& touchesOnSkin();
   void continueTouches(const std::vector<Touch>& touches, double time_step);
@@ -75,7 +82,7 @@ class Contact : public WithMemory<Coupler, std::vector<Touch>> {
   Legacy legacy_;
   std::vector<Candidate> candidates_;  // by partner and sample
   std::vector<Gap> gaps_;              // of each
-  std::vector<double> most_;           // friction's bound on each [N]
+  std::vector<Friction> frictions_;    // of each
 };
 
 }  // namespace incision

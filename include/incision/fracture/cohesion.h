@@ -53,7 +53,7 @@ class Cohesion : public WithMemory<Coupler, CohesionMemory> {
 
   void changed(const CutMesh& mesh) override;
   bool begin(const StepStart& start, std::vector<Spring>* springs) override;
-  void takeBounds(Span<const Vec3> moved, double share) override;
+  void takeBounds(Span<const Vec3> moved, Span<const double> share) override;
   void update(Span<const Vec3> moved, Span<Spring> springs) override;
   void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   /// Tractions change little from solve to solve: by about a tenth of what they changed by before.

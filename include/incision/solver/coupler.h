@@ -59,9 +59,9 @@ class Coupler : public Remembers {
   /// coupler takes part in the step; if not, it has no springs and the functions below are not called.
   virtual bool begin(const StepStart& start, std::vector<Spring>* springs) = 0;
 
-  /// Takes the bounds that there are where the points of its springs are displaced by `moved` [m]; or goes that share
-  /// of the way to them, where they go round in circles.
-  virtual void takeBounds(Span<const Vec3> /*moved*/, double /*share*/) {}
+  /// The points of its springs have come to displacements of `moved` [m] in the search for the solution. The bound of
+  /// each goes that share of the way to what it is here.
+  virtual void takeBounds(Span<const Vec3> /*moved*/, Span<const double> /*share*/) {}
 
   /// Gives each of its springs the force and the stiffness at these displacements [m] under the bounds taken last.
   virtual void update(Span<const Vec3> moved, Span<Spring> springs) = 0;

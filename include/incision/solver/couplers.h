@@ -21,8 +21,9 @@ class Couplers {
   /// A step starts. Returns whether any coupler takes part in it.
   bool begin(const StepStart& start);
 
-  /// Takes bounds, where points of the springs are displaced by `moved` [m].
-  void takeBounds(const std::vector<Vec3>& moved, double share = 1);
+  /// The points of the springs are displaced by `moved` [m], and the bounds go that share of the way to what they are
+  /// here.
+  void takeBounds(const std::vector<Vec3>& moved, const std::vector<double>& share);
   /// Gives the springs their forces and stiffnesses at these displacements [m].
   void update(const std::vector<Vec3>& moved);
   /// The least of those that take part.
@@ -38,6 +39,12 @@ class Couplers {
 
   /// Whether all are as they were reckoned.
   bool hold(const std::vector<Vec3>& moved, const Motion& end);
+
+  /// Whether springs without another end, by these impulses [N s], do far more for the body on the ways of its copies
+  /// from `start` to `end` [m] than on the straight ones by `moved` [m] on which they were reckoned. Where a piece
+  /// turns that brings energy, and more with each step.
+  bool driveOn(const std::vector<Vec3>& impulses, const std::vector<Vec3>& moved, const std::vector<Vec3>& start,
+               const std::vector<Vec3>& end) const;
 
   /// The step has been taken. `felt` is the wrench on each coupler's other end.
   void accept(const std::vector<Vec3>& moved, const Motion& end, const std::vector<Wrench>& felt);
@@ -61,7 +68,8 @@ class Couplers {
   std::vector<std::any> read(ArchiveReader* archive) const;
 
  private:
-  Span<const Vec3> ofCoupler(std::size_t i, const std::vector<Vec3>& values) const {
+  template <class Value>
+  Span<const Value> ofCoupler(std::size_t i, const std::vector<Value>& values) const {
     return {values.data() + first_[i], values.data() + first_[i + 1]};
   }
 

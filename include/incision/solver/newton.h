@@ -84,7 +84,8 @@ struct StepProblem {
 
 /// Finds the Δv at which the forces of the body and of its couplers balance: the minimum of a convex function of Δv as
 /// long as the bounds stay, by Newton's method with a line search in each group of pieces. Solves before the last one
-/// are loose, and the bounds are taken anew after each.
+/// are loose. The bounds, those of the guess at first, are taken anew where a group has gone the whole way: on the way
+/// there the forces may be far from what they come to.
 class Newton {
  public:
   /// Limit of the Newton steps in a step.
@@ -130,6 +131,7 @@ class Newton {
   void trySprings(const StepProblem& p, bool on_the_way);
   void takeStep(const StepProblem& p, std::vector<Vec3>* dv);
   bool isSettled(const StepProblem& p, const PieceNorms& norms);
+  void takeBounds(const StepProblem& p);
   bool isSettledAnew(const StepProblem& p, const PieceNorms& norms);
   void findImpulses(const StepProblem& p);
   void shareImpulses();
@@ -149,6 +151,7 @@ class Newton {
   std::vector<Vec3> direction_, pull_;  // by copy: d, and A d without springs
   std::vector<Vec3> right_, left_;      // of a linear solve, by copy
   std::vector<Vec3> on_copies_;
+  std::vector<double> bounds_go_;       // that share of the way, of each spring
   std::vector<double> limit_, square_;  // of each piece
   std::vector<int> group_of_piece_;
   std::vector<double> group_square_;

@@ -39,20 +39,25 @@ CuttingEdge::Trial CuttingEdge::tryAt(const Station& station, const Vec3& moved)
   return trial;
 }
 
-/// Friction along the edge may be as large as the force across it allows. What has been cut does not push back.
-void CuttingEdge::takeBounds(Span<const Vec3> moved, double share) {
+void CuttingEdge::takeBounds(Span<const Vec3> moved, Span<const double> share) {
   int i = 0;
   for (Station& station : stations_) {
     if (station.tissue.count == 0) continue;
-    station.is_free = false;
-    const Trial trial = tryAt(station, moved[i++]);
-    const Vec3 forward = station.outward == 0 ? station.start.forward : Vec3(station.outward * direction_);
-    station.is_free = trial.cuts.dot(forward) < 0;
-    // The stations of the edge take what is across a tip.
-    const bool drags = !station.is_free && station.outward == 0;
-    const double most = drags ? friction_ * trial.cuts_stiffness * trial.cuts.norm() : 0;
-    station.most_along += share * (most - station.most_along);
+    if (share[i] > 0) takeBound(moved[i], share[i], &station);
+    ++i;
   }
+}
+
+/// Friction along the edge may be as large as the force across it allows. What has been cut does not push back.
+void CuttingEdge::takeBound(const Vec3& moved, double share, Station* station) const {
+  station->is_free = false;
+  const Trial trial = tryAt(*station, moved);
+  const Vec3 forward = station->outward == 0 ? station->start.forward : Vec3(station->outward * direction_);
+  station->is_free = trial.cuts.dot(forward) < 0;
+  // The stations of the edge take what is across a tip.
+  const bool drags = !station->is_free && station->outward == 0;
+  const double most = drags ? friction_ * trial.cuts_stiffness * trial.cuts.norm() : 0;
+  station->most_along += share * (most - station->most_along);
 }
 
 /// The force of what cuts descends from ½ k a² that goes on from the cutting force on evenly, or with a viscosity as a

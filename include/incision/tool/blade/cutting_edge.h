@@ -68,7 +68,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
 
   void changed(const CutMesh& /*mesh*/) override {}
   bool begin(const StepStart& start, std::vector<Spring>* springs) override;
-  void takeBounds(Span<const Vec3> moved, double share) override;
+  void takeBounds(Span<const Vec3> moved, Span<const double> share) override;
   void update(Span<const Vec3> moved, Span<Spring> springs) override;
   void accept(const StepSpan& span, Span<const Vec3> moved, const Motion& end, const Wrench& felt) override;
   bool hasOtherEnd() const override { return true; }
@@ -133,6 +133,7 @@ class CuttingEdge : public WithMemory<Coupler, std::vector<StationMemory>> {
   void enterWhereReached();
   bool isInSlit(const Vec3& point, const Swept& swept, const Near& near, const CutMesh& mesh) const;
   Trial tryAt(const Station& station, const Vec3& moved) const;
+  void takeBound(const Vec3& moved, double share, Station* station) const;
 
   std::vector<CuttingResistance> resistances_;  // in each region
   bool resists_ = false, has_onset_ = false;    // any of them does, or has one
