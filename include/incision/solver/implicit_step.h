@@ -199,8 +199,8 @@ class ImplicitStep : private StepEquations {
   Motion motion_ahead_;  // where couplers have the step end
   bool matrix_ready_ = false, rotated_ = false;
   const std::vector<Vec3>* start_x_ = nullptr;
-  std::vector<Vec3> off_;      // momentum of each piece [N s]
-  std::vector<Vec3> given_;    // momentum that the base has got from couplers, by copy [N s]; empty: none
+  std::vector<Vec3> off_;    // momentum of each piece [N s]
+  std::vector<Vec3> given_;  // momentum that the base has got from couplers, by copy [N s]; empty: none
   std::vector<Vec3> ahead_, dv_, external_, y_, inertia_, pulls_, levers_;
   std::vector<Vec3> lag_;  // how fast x̂ would get to where the rotations are, by copy [m/s]; empty: it is there
   std::vector<Wrench> felt_, clamp_wrenches_;
