@@ -11,7 +11,7 @@ BodyContact::BodyContact(const ContactSettings& settings, const Obstacles& obsta
 bool BodyContact::holds(const StepSpan& span, Span<const Vec3> moved, const Motion& end) {
   interpolate(*skin().surface().surface, end.x, skin().threads(), &ends_);
   return areSolidsAsReckoned(skin(), span, {obstacles_, motions_}, candidates(), moved, ends_) &&
-         fragments_.isAsReckoned(skin().surface(), candidates(), moved, span.to - span.from, end.x, skin().threads());
+         fragments_.isAsReckoned(skin().surface(), candidates(), moved, span.to - span.from, ends_, skin().threads());
 }
 
 void BodyContact::addWrenches(Span<const Vec3> impulses, Span<const Vec3> levers, double time, Wrench* ground,

@@ -14,23 +14,19 @@ namespace {
 /// What the contacts of a step may be deeper at its end than was reckoned, in elements. A part of a step has its share.
 constexpr double DEEPER = 0.03;
 
-Vec3 vertexAt(const ContactSurface& surface, int vertex, const std::vector<Vec3>& x) {
-  return positionOf(surface.surface->vertices[vertex], x);
-}
-
 /// How far behind the plane of its face the vertex of a candidate is [m].
 double depthBehind(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
   const auto& [i, j, k] = surface.surface->triangles[candidate.triangle];
-  const Vec3 a = vertexAt(surface, i, x), b = vertexAt(surface, j, x), c = vertexAt(surface, k, x);
-  const Vec3 p = vertexAt(surface, surface.samples[candidate.sample].vertex, x);
+  const Vec3 a = x[i], b = x[j], c = x[k];
+  const Vec3 p = x[surface.samples[candidate.sample].vertex];
   return (b - a).cross(c - a).stableNormalized().dot(a - p);
 }
 
 /// How deep two edges that still cross are in each other [m]; below zero where they do not.
 double depthOfEdges(const ContactSurface& surface, const Candidate& candidate, const std::vector<Vec3>& x) {
   const ContactSurface::Edge &e = surface.edges[candidate.sample], &f = surface.edges[candidate.other];
-  const Vec3 a = vertexAt(surface, e.from, x), b = vertexAt(surface, f.from, x);
-  const EdgeCrossing at = crossingOf(a, vertexAt(surface, e.to, x) - a, b, vertexAt(surface, f.to, x) - b);
+  const Vec3 a = x[e.from], b = x[f.from];
+  const EdgeCrossing at = crossingOf(a, x[e.to] - a, b, x[f.to] - b);
   return at.isWithin(0) ? -at.apart * std::copysign(1.0, at.normal.dot(candidate.normal)) : -1;
 }
 
@@ -59,12 +55,11 @@ bool StepEnd::isAsReckoned(const ContactSurface& surface, const std::vector<Cand
   }
   if (suspects_.empty()) return true;
   sortOnce(&pieces_);
-  interpolate(*surface.surface, x, threads, &x_);
-  const PieceTrees& trees = pairs->placeTreesElsewhere(surface, x_, pieces_, threads);
+  const PieceTrees& trees = pairs->placeTreesElsewhere(surface, x, pieces_, threads);
   return std::none_of(suspects_.begin(), suspects_.end(), [&](const auto& suspect) {
     const Candidate& candidate = candidates[suspect.first];
     const int vertex = surface.samples[candidate.sample].vertex;
-    return insideOf(surface, x_, vertex, trees, surface.piece[candidate.triangle]).depth > suspect.second;
+    return insideOf(surface, x, vertex, trees, surface.piece[candidate.triangle]).depth > suspect.second;
   });
 }
 

@@ -33,6 +33,11 @@ bool Couplers::begin(const StepStart& start) {
   return any;
 }
 
+void Couplers::takeBounds(const std::vector<Vec3>& moved) {
+  whole_way_.assign(moved.size(), 1);
+  takeBounds(moved, whole_way_);
+}
+
 void Couplers::takeBounds(const std::vector<Vec3>& moved, const std::vector<double>& share) {
   for (std::size_t i = 0; i < list_.size(); ++i)
     if (takes_part_[i]) list_[i]->takeBounds(ofCoupler(i, moved), ofCoupler(i, share));

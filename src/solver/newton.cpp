@@ -103,8 +103,7 @@ void Newton::start(const StepProblem& p, PieceNorms* norms, std::vector<Vec3>* d
   groups_.assign(norms->measures().size(), Group());
   if (p.couplers) {
     place(p, *dv);
-    bounds_go_.assign(used_.size(), 1);
-    p.couplers->takeBounds(moved_, bounds_go_);
+    p.couplers->takeBounds(moved_);
     p.couplers->update(moved_);
     findImpulses(p);
     shareImpulses();
@@ -335,8 +334,7 @@ bool Newton::isSettled(const StepProblem& p, const PieceNorms& norms) {
 
 /// Whether it is so under bounds as they are now.
 bool Newton::isSettledAnew(const StepProblem& p, const PieceNorms& norms) {
-  bounds_go_.assign(used_.size(), 1);
-  p.couplers->takeBounds(moved_, bounds_go_);
+  p.couplers->takeBounds(moved_);
   return isSettled(p, norms);
 }
 

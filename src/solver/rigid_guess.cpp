@@ -23,8 +23,7 @@ RigidGuess::~RigidGuess() = default;
 void RigidGuess::find(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
                       const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved) {
   Work& w = *work_;
-  w.ones.assign(moved->size(), 1);
-  couplers->takeBounds(*moved, w.ones);
+  couplers->takeBounds(*moved);
   couplers->update(*moved);
   if (!w.begin(rigid, threads, x, driving, couplers->springs())) return;
   for (int k = 0; k < MAX_STEPS; ++k) {
@@ -32,7 +31,7 @@ void RigidGuess::find(const RigidPieces& rigid, double time_step, int threads, c
     const double share = w.searchLine(couplers, *moved);
     w.equations->q += share * w.equations->step;
     for (std::size_t i = 0; i < moved->size(); ++i) (*moved)[i] += share * w.way[i];
-    couplers->takeBounds(*moved, w.ones);
+    couplers->takeBounds(*moved);
     couplers->update(*moved);
     if (share == 1 && w.isGood(couplers->springs(), *moved)) break;
   }

@@ -50,7 +50,6 @@ struct RigidGuess::Work {
   std::vector<Block> mass, blocks;         // of each piece; of each pair
   std::optional<Equations> equations;
   std::vector<Vec3> way, tried, expected;  // of each spring
-  std::vector<double> ones;                // of each spring: its bound goes the whole way
   std::vector<Eigen::Vector2d> terms;      // of each spring, to be added up or compared
 
   bool begin(const RigidPieces& rigid, int of_threads, const std::vector<Vec3>& x, const std::vector<Vec3>& on_copies,

@@ -13,14 +13,13 @@ namespace incision {
 class StepEnd {
  public:
   /// Whether none is deeper than was reckoned by more than is allowed in this share of the body's step. `moved`: by how
-  /// far the candidates' points went [m]; `x`: where the copies are [m]. Leaves the trees of `pairs` there.
+  /// far the candidates' points went [m]; `x`: where the vertices are [m]. Leaves the trees of `pairs` there.
   bool isAsReckoned(const ContactSurface& surface, const std::vector<Candidate>& candidates, Span<const Vec3> moved,
                     double share, const std::vector<Vec3>& x, NearPairs* pairs, int threads);
 
  private:
   std::vector<std::pair<int, double>> suspects_;  // candidates behind the plane of their face, and their allowed depth
   std::vector<int> pieces_;                       // in which they may be
-  std::vector<Vec3> x_;                           // of the vertices [m]
 };
 
 }  // namespace incision

@@ -21,8 +21,9 @@ class Couplers {
   /// A step starts. Returns whether any coupler takes part in it.
   bool begin(const StepStart& start);
 
-  /// The points of the springs are displaced by `moved` [m], and the bounds go that share of the way to what they are
-  /// here.
+  /// The points of the springs are displaced by `moved` [m], and the bounds become what they are here; or each goes
+  /// that share of the way.
+  void takeBounds(const std::vector<Vec3>& moved);
   void takeBounds(const std::vector<Vec3>& moved, const std::vector<double>& share);
   /// Gives the springs their forces and stiffnesses at these displacements [m].
   void update(const std::vector<Vec3>& moved);
@@ -78,6 +79,7 @@ class Couplers {
   std::vector<std::size_t> first_;  // spring of each coupler; then how many there are
   StepSpan span_ = {};
   std::vector<Spring> springs_;
+  std::vector<double> whole_way_;  // of each spring: 1
 };
 
 }  // namespace incision

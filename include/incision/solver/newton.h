@@ -151,7 +151,7 @@ class Newton {
   std::vector<Vec3> direction_, pull_;  // by copy: d, and A d without springs
   std::vector<Vec3> right_, left_;      // of a linear solve, by copy
   std::vector<Vec3> on_copies_;
-  std::vector<double> bounds_go_;       // that share of the way, of each spring
+  std::vector<double> bounds_go_;       // of each spring, the share of the way that its bound goes
   std::vector<double> limit_, square_;  // of each piece
   std::vector<int> group_of_piece_;
   std::vector<double> group_square_;

@@ -22,7 +22,8 @@ class RigidGuess {
   void find(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
             const std::vector<Vec3>& driving, Couplers* couplers, std::vector<Vec3>* moved);
 
-  /// The same by one Newton step with the springs as they are.
+  /// Finds the motions at which `driving` and the springs balance if these stay linear, as they are at `moved`, which
+  /// goes along: one Newton step from no motion beside the base.
   void step(const RigidPieces& rigid, double time_step, int threads, const std::vector<Vec3>& x,
             const std::vector<Vec3>& driving, const std::vector<Spring>& springs, std::vector<Vec3>* moved);
 
